@@ -1,0 +1,89 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "sim/elasticity/stiffness.hpp"
+#include "sim/mesh/tet_mesh.hpp"
+
+namespace palpate::sim {
+
+/// Nodes named in a scene: a group of the mesh, a box in the body's rest placement, or node numbers of the
+/// mesh file.
+struct Box {
+  Vec3 lower = Vec3::Zero(), upper = Vec3::Zero();  // [m]
+};
+using NodeSelection = std::variant<std::string, Box, std::vector<std::int64_t>>;
+
+struct BodySpec {
+  std::string name;
+  bool present = true;
+  std::filesystem::path mesh;    // absolute, or relative to the working directory
+  double metres_per_unit = 1.0;  // of the mesh file [m]
+  Material material{};
+  std::map<std::string, Material> regions;  // named volume groups of another material
+  std::optional<NodeSelection> fixed;
+  std::optional<NodeSelection> touchable;  // absent: the whole free surface
+  double scale = 1.0;
+  Vec3 rotate = Vec3::Zero();  // rotation vector: axis times angle [rad]
+  Vec3 offset = Vec3::Zero();  // [m], after scale and rotation
+};
+
+enum class ContactModel { None, Sibille, Kuroda };
+
+struct ContactSpec {
+  std::vector<std::array<std::string, 2>> touch;  // which bodies may touch
+  ContactModel model = ContactModel::Kuroda;
+};
+
+enum class ProbeKind { Point, Pad };
+enum class Tangential { Held, Free };
+
+struct ProbeSpec {
+  std::string name;
+  std::string body;
+  ProbeKind kind = ProbeKind::Point;
+  std::variant<Vec3, std::int64_t> at =
+      Vec3(Vec3::Zero());          // a place [m], or a node's number in the mesh file
+  Vec3 direction = Vec3::UnitZ();  // of the press, unit length
+  double depth = 0.0;              // default depth of a press [m]
+  double radius = 0.0;             // of a pad [m]
+  Tangential tangential = Tangential::Held;
+};
+
+/// Bodies, materials, supports, what may touch what, probes. Plain data, validated at the border.
+struct Scene {
+  std::string name;
+  std::filesystem::path file;    // where it was read
+  std::vector<BodySpec> bodies;  // in the order of the file
+  ContactSpec contact{};
+  std::vector<ProbeSpec> probes;  // the first is the finger whose force is reported
+};
+
+/// One entry of a scene replaced: dotted key and TOML value, e.g. {"bodies.prostate.young_modulus", "\"5.0
+/// MPa\""}. A value that is no TOML is taken as a string, so that `--set bodies.prostate.young_modulus="5
+/// MPa"` works.
+struct Override {
+  std::string key;
+  std::string value;
+};
+
+/// Reads and validates a scene file, `overrides` put in place first.
+/// Throws std::invalid_argument: file, line or key, what was found, what is accepted. An unknown key is an
+/// error.
+Scene load_scene(const std::filesystem::path& file, std::span<const Override> overrides = {});
+
+/// Throws std::invalid_argument for a value out of bounds or a reference to what does not exist.
+void validate(const Scene& scene);
+
+std::string_view to_string(ContactModel model);
+ContactModel contact_model_from(
+    std::string_view name);  // throws std::invalid_argument, lists what is accepted
+
+}  // namespace palpate::sim
