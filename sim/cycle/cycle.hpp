@@ -37,7 +37,6 @@ struct SolveReport {
 /// What happened between two bodies in one cycle.
 struct PairSummary {
   int active = 0;                                            // colliding (node, polygon) pairs
-  double penetration = 0.0;                                  // deepest overlap that remains [m]
   std::array<Vec3, 2> force_on{Vec3::Zero(), Vec3::Zero()};  // contact force on each body [N]
 };
 

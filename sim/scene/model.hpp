@@ -10,6 +10,7 @@
 #include "sim/elasticity/stiffness.hpp"
 #include "sim/mesh/surface.hpp"
 #include "sim/mesh/tet_mesh.hpp"
+#include "sim/pairing/aabb_tree.hpp"
 #include "sim/pairing/touch_surface.hpp"
 #include "sim/scene/scene.hpp"
 
@@ -42,8 +43,8 @@ struct Probe {
   std::vector<int> nodes;       // touch indices
   std::vector<double> weights;  // of each node, sum 1
   Eigen::Matrix3Xd axes;        // prescribed directions as columns: 3 (held) or 1 (free)
-  Eigen::MatrixXd response;     // displacement of the touchable nodes per prescribed metre, 3t x rows
-  Eigen::MatrixXd stiffness;    // force along the axes per prescribed metre for E = 1 Pa, rows x rows
+  Eigen::MatrixXd compliance;   // displacement of the touchable nodes per newton along each axis, for
+                                // E = 1 Pa, 3t x rows [m/N]
 };
 
 struct TouchPair {
