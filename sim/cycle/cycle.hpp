@@ -23,7 +23,7 @@ struct Memory {};
 
 /// Nodal forces on the touchable nodes of each body [N], 3t entries each, the probes' included.
 struct Loads {
-  std::vector<Eigen::VectorXd> on_body;
+  std::vector<Eigen::VectorXd> on_body{};
 };
 
 enum class Stop { Converged, IterationLimit, SingularMatrix };

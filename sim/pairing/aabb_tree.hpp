@@ -17,8 +17,8 @@ struct AabbTree {
     int left = -1, right = -1;                        // children, -1 in a leaf
     int first = 0, count = 0;                         // a leaf's polygons: order[first .. first + count)
   };
-  std::vector<Node> nodes;  // children stand behind their parent
-  std::vector<int> order;   // polygon numbers, grouped by leaf
+  std::vector<Node> nodes{};  // children stand behind their parent
+  std::vector<int> order{};   // polygon numbers, grouped by leaf
 };
 
 AabbTree build_tree(std::span<const Triangle> triangles, const Eigen::Matrix3Xd& positions);

@@ -8,10 +8,10 @@ namespace palpate::sim {
 
 /// Where the touchable nodes of each body are before the bodies act on each other.
 struct BodyMotion {
-  Eigen::VectorXd displacement;  // 3t [m]
-  Eigen::Matrix3Xd positions;    // rest + displacement, 3 x t [m]
-  AabbTree tree;                 // over the polygons where they are now
-  bool moved = false;            // false: at rest, and the tree with it
+  Eigen::VectorXd displacement{};  // 3t [m]
+  Eigen::Matrix3Xd positions{};    // rest + displacement, 3 x t [m]
+  AabbTree tree{};                 // over the polygons where they are now
+  bool moved = false;              // false: at rest, and the tree with it
 };
 using FreeMotion = std::vector<BodyMotion>;  // one a body
 
