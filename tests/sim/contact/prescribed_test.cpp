@@ -24,7 +24,7 @@ Eigen::VectorXd dense_solution(const Model& model, const std::vector<int>& nodes
   return (g.transpose() * body.compliance->touch_touch * g).llt().solve(asked);
 }
 
-class PrescribedAgainstDense : public testing::TestWithParam<const char*> {};
+class PrescribedAgainstDense : public ::testing::TestWithParam<const char*> {};
 
 // Sets of nodes come and go as in a press; kept rows must never show.
 TEST_P(PrescribedAgainstDense, GivesTheSameForcesWhateverSetCameBefore) {
@@ -58,7 +58,7 @@ TEST_P(PrescribedAgainstDense, GivesTheSameForcesWhateverSetCameBefore) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Probes, PrescribedAgainstDense,
-                         testing::Values("kind = \"point\"", "kind = \"point\"\ntangential = \"free\"",
+                         ::testing::Values("kind = \"point\"", "kind = \"point\"\ntangential = \"free\"",
                                          "kind = \"pad\"\nradius = \"6 mm\""));
 
 TEST(Claims, KeepTheLargerDisplacementAndTheFirstOfTwoAlike) {

@@ -26,7 +26,7 @@ Eigen::Matrix3Xd on_mesh(const Body& body, const Eigen::VectorXd& loads) {
   return forces;
 }
 
-class CycleOfEachLaw : public testing::TestWithParam<const char*> {};
+class CycleOfEachLaw : public ::testing::TestWithParam<const char*> {};
 
 // The loads of a cycle, put on the uncondensed body, must move its touchable nodes to where the cycle says
 // they are.
@@ -77,7 +77,7 @@ TEST_P(CycleOfEachLaw, FeelsNothingOffTheSkinAndForAPoseThatIsNoNumber) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Laws, CycleOfEachLaw, testing::Values("none", "sibille", "kuroda"));
+INSTANTIATE_TEST_SUITE_P(Laws, CycleOfEachLaw, ::testing::Values("none", "sibille", "kuroda"));
 
 TEST(Cycle, WithoutContactTheForceIsLinearInTheDepth) {
   const Model model = compile_scene(write_two_boxes(), kNone);

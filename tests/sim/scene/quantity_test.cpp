@@ -9,9 +9,9 @@
 namespace palpate::sim {
 namespace {
 
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::ThrowsMessage;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
 
 TEST(Quantity, ReadsEachUnitInSi) {
   EXPECT_DOUBLE_EQ(parse_quantity("5 mm", Dimension::Length), 0.005);
