@@ -27,8 +27,9 @@ TEST(Quantity, RefusesAMissingUnit) {
 }
 
 TEST(Quantity, RefusesTheUnitOfAnotherDimension) {
-  EXPECT_THAT([] { parse_quantity("5 MPa", Dimension::Length); },
-              ThrowsMessage<std::invalid_argument>(AllOf(HasSubstr("\"MPa\""), HasSubstr("accepted units: m, cm"))));
+  EXPECT_THAT(
+      [] { parse_quantity("5 MPa", Dimension::Length); },
+      ThrowsMessage<std::invalid_argument>(AllOf(HasSubstr("\"MPa\""), HasSubstr("accepted units: m, cm"))));
 }
 
 TEST(Quantity, RefusesWhatIsNoFiniteNumber) {
