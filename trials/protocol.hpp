@@ -113,6 +113,10 @@ void expand(Protocol& protocol);
 /// design knows but this version does not ("not in this version").
 Protocol load_protocol(const std::filesystem::path& file);
 
+/// A protocol by its text alone: validated in itself, but neither scene nor meshes are looked at (scene_text
+/// and files stay empty). For reading the design that a study file holds. Throws as load_protocol() does.
+Protocol parse_protocol(std::string text, const std::filesystem::path& file);
+
 /// The plan in words, for `palpate check`.
 struct PlanSummary {
   int trials_per_session = 0;

@@ -113,7 +113,8 @@ class StudyFile {
 
   const std::filesystem::path& path() const;
   StudyRow study() const;
-  std::vector<SessionRow> sessions() const;                                // in the order in which they began
+  const Protocol& protocol() const;          // the design that the file holds; scene and meshes not looked at
+  std::vector<SessionRow> sessions() const;  // in the order in which they began
   std::vector<DrawnTrial> trials(std::int64_t session) const;              // by number, then draw
   std::vector<PresentationRow> presentations(std::int64_t session) const;  // in the order of time
   std::vector<AnswerRow> answers(std::int64_t session) const;              // by trial
