@@ -86,7 +86,7 @@ TEST(BinomialTest, RefusesWhatCannotBe) {
 }
 
 TEST(BinomialTest, IsTheSumOfItsTerms) {
-  rc::check([] {
+  EXPECT_TRUE(rc::check([] {
     const long n = *rc::gen::inRange(1L, 40L), k = *rc::gen::inRange(0L, n + 1);
     const double chance = *rc::gen::element(0.5, 1.0 / 3, 0.25, 0.1, 0.9);
     double greater = 0, less = 0, two_sided = 0;
@@ -101,14 +101,14 @@ TEST(BinomialTest, IsTheSumOfItsTerms) {
     RC_ASSERT(std::abs(p.less - less) < 1e-12);
     RC_ASSERT(std::abs(p.two_sided - std::min(1.0, two_sided)) < 1e-12);
     RC_ASSERT(p.greater >= 0 && p.greater <= 1 && p.less >= 0 && p.less <= 1 && p.two_sided <= 1);
-  });
+  }));
 }
 
 TEST(BinomialTest, ExchangingRightAndWrongExchangesTheSides) {
-  rc::check([] {
+  EXPECT_TRUE(rc::check([] {
     const long n = *rc::gen::inRange(1L, 300L), k = *rc::gen::inRange(0L, n + 1);
     const PValues right = binomial_p(k, n, 0.5), wrong = binomial_p(n - k, n, 0.5);
     RC_ASSERT(std::abs(right.greater - wrong.less) <= 1e-12);
     RC_ASSERT(std::abs(right.two_sided - wrong.two_sided) <= 1e-12);
-  });
+  }));
 }

@@ -17,8 +17,9 @@ double coverage(const std::vector<Interval>& intervals, double p) {
   for (long k = 0; k <= n; ++k) {
     const Interval& interval = intervals[static_cast<std::size_t>(k)];
     if (p < interval.lower || p > interval.upper) continue;
-    total += std::exp(std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0)) *
-             std::pow(p, static_cast<double>(k)) * std::pow(1 - p, static_cast<double>(n - k));
+    double probability = 1.0;  // of k correct answers: the binomial coefficient, factor by factor
+    for (long i = 1; i <= k; ++i) probability *= static_cast<double>(n - k + i) / static_cast<double>(i);
+    total += probability * std::pow(p, static_cast<double>(k)) * std::pow(1 - p, static_cast<double>(n - k));
   }
   return total;
 }

@@ -63,7 +63,7 @@ TEST(SignFlip, IntervalIsOpenWhereTooFewDifferencesCanSayNothing) {
 }
 
 TEST(SignFlip, EqualsTheDefinition) {
-  rc::check([] {
+  EXPECT_TRUE(rc::check([] {
     const auto whole =
         *rc::gen::container<std::vector<int>>(*rc::gen::inRange(1, 11), rc::gen::inRange(-4, 5));
     const double unit = *rc::gen::element(1.0, 0.25, 0.1, 1.0 / 3, 0.377123);
@@ -73,7 +73,7 @@ TEST(SignFlip, EqualsTheDefinition) {
     RC_ASSERT(std::abs(found.greater - expected.greater) < 1e-12);
     RC_ASSERT(std::abs(found.less - expected.less) < 1e-12);
     RC_ASSERT(std::abs(found.two_sided - expected.two_sided) < 1e-12);
-  });
+  }));
 }
 
 TEST(SignFlip, StaysExactOnAGridWhateverTheNumber) {

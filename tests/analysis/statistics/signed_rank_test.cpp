@@ -69,7 +69,7 @@ TEST(SignedRank, ApproximatesBeyondWhatIsExactAndSaysSo) {
 }
 
 TEST(SignedRank, IsSymmetric) {
-  rc::check([] {
+  EXPECT_TRUE(rc::check([] {
     const auto whole =
         *rc::gen::container<std::vector<int>>(*rc::gen::inRange(1, 30), rc::gen::inRange(-6, 7));
     const Zeros zeros = *rc::gen::element(Zeros::Drop, Zeros::Pratt);
@@ -81,7 +81,7 @@ TEST(SignedRank, IsSymmetric) {
     RC_ASSERT(std::abs(test.pseudo_median + mirror.pseudo_median) < 1e-12);
     RC_ASSERT(test.p.greater > 0 && test.p.greater <= 1);
     RC_ASSERT(test.interval.lower <= test.pseudo_median && test.pseudo_median <= test.interval.upper);
-  });
+  }));
 }
 
 TEST(SignedRank, HasNothingToSayOfZeros) {
