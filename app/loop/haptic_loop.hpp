@@ -52,7 +52,7 @@ class HapticLoop {
   std::atomic<IntervalEngine*> engine_{nullptr};
   std::atomic<std::uint64_t> cycles_{0};  // completed; after one more, a changed engine_ has been seen
   std::atomic<bool> quit_{false};
-  LoopClock clock_;  // the loop's while an engine runs
+  LoopClock clock_;     // the loop's while an engine runs
   std::thread thread_;  // last: it uses all of the above
   bool real_time_ = false;
 };

@@ -8,9 +8,9 @@
 namespace palpate::app {
 namespace {
 
-constexpr double kLifted = -1e-3;       // where the hand is taken to be while it is not known [m]
-constexpr double kFarthestHand = 1.0;   // a place beyond this is no measurement [m]
-constexpr double kLargestForce = 1e6;   // a mouse has no motor to protect: only what is no force at all [N]
+constexpr double kLifted = -1e-3;      // where the hand is taken to be while it is not known [m]
+constexpr double kFarthestHand = 1.0;  // a place beyond this is no measurement [m]
+constexpr double kLargestForce = 1e6;  // a mouse has no motor to protect: only what is no force at all [N]
 constexpr GuardTimes kGuardTimes{.longest_gap = 0.2};
 
 /// Room for every cycle of an interval, so that nothing is allocated while it runs.

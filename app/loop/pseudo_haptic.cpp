@@ -13,8 +13,7 @@ double secant_stiffness(const DrivenProbe& probe, double force) {
   double stiffness = 0.0;
   if (probe.depth > kSmallestMove) stiffness = force / probe.depth;
   const double move = probe.depth - probe.previous_depth;
-  if (std::abs(move) > kSmallestMove)
-    stiffness = std::max(stiffness, (force - probe.previous_force) / move);
+  if (std::abs(move) > kSmallestMove) stiffness = std::max(stiffness, (force - probe.previous_force) / move);
   return std::max(stiffness, 0.0);
 }
 

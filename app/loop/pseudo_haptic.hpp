@@ -7,8 +7,8 @@ namespace palpate::app {
 /// pseudo-haptic session. The constants are the same for every condition and model, and are stored with each
 /// session. Source: [Lecuyer2009].
 struct PseudoHapticCoupling {
-  double spring = 1000.0;          // k_c [N/m]
-  double lag_time = 0.010;         // tau [s]: how soon the probe follows a free hand
+  double spring = 1000.0;           // k_c [N/m]
+  double lag_time = 0.010;          // tau [s]: how soon the probe follows a free hand
   double largest_hand_speed = 0.5;  // [m/s]: a hand that jumps is followed no faster than this
 };
 

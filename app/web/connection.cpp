@@ -71,7 +71,8 @@ Response answer(const Request& request, Access access) {
   const auto file = std::ranges::find(files, wanted, &PageFile::name);
   if (file == files.end()) return refuse(http::status::not_found, "There is no such file.");
   Response response(http::status::ok, 11);
-  response.set(http::field::content_type, beast::string_view(content_type(wanted).data(), content_type(wanted).size()));
+  response.set(http::field::content_type,
+               beast::string_view(content_type(wanted).data(), content_type(wanted).size()));
   response.body() = file->bytes;
   return response;
 }
@@ -118,7 +119,8 @@ class Socket final : public PageSocket, public std::enable_shared_from_this<Sock
     socket_.async_read(buffer_, [self = shared_from_this()](beast::error_code error, std::size_t) {
       if (error) return self->lost();
       const auto bytes = self->buffer_.cdata();
-      if (!self->closing_) self->message_({static_cast<const char*>(bytes.data()), bytes.size()}, self->socket_.got_text());
+      if (!self->closing_)
+        self->message_({static_cast<const char*>(bytes.data()), bytes.size()}, self->socket_.got_text());
       self->buffer_.consume(self->buffer_.size());
       self->read();
     });
@@ -136,7 +138,8 @@ class Socket final : public PageSocket, public std::enable_shared_from_this<Sock
   }
 
   void close_now() {
-    socket_.async_close(websocket::close_reason(*closing_), [self = shared_from_this()](beast::error_code) {});
+    socket_.async_close(websocket::close_reason(*closing_),
+                        [self = shared_from_this()](beast::error_code) {});
   }
 
   void lost() {
@@ -162,9 +165,10 @@ class Visit : public std::enable_shared_from_this<Visit> {
     parser_->header_limit(kLargestHeader);
     parser_->body_limit(0);
     stream_.expires_after(kPatience);
-    http::async_read(stream_, buffer_, *parser_, [self = shared_from_this()](beast::error_code error, std::size_t) {
-      if (!error) self->respond();
-    });
+    http::async_read(stream_, buffer_, *parser_,
+                     [self = shared_from_this()](beast::error_code error, std::size_t) {
+                       if (!error) self->respond();
+                     });
   }
 
  private:
@@ -207,7 +211,8 @@ class Visit : public std::enable_shared_from_this<Visit> {
 
 }  // namespace
 
-void serve_connection(tcp::socket socket, Door door, std::function<void(std::shared_ptr<PageSocket>)> opened) {
+void serve_connection(tcp::socket socket, Door door,
+                      std::function<void(std::shared_ptr<PageSocket>)> opened) {
   std::make_shared<Visit>(std::move(socket), std::move(door), std::move(opened))->read();
 }
 

@@ -39,8 +39,8 @@ void Server::State::listen(std::uint16_t wanted) {
     acceptor.listen(16);
   } catch (const boost::system::system_error& error) {
     throw std::runtime_error(fmt::format(
-        "port {} of 127.0.0.1 cannot be had ({}); leave out --port and one will be chosen that is free", wanted,
-        error.code().message()));
+        "port {} of 127.0.0.1 cannot be had ({}); leave out --port and one will be chosen that is free",
+        wanted, error.code().message()));
   }
   port = acceptor.local_endpoint().port();
 }
@@ -57,9 +57,10 @@ void Server::State::serve(tcp::socket socket) {
   boost::system::error_code ignored;
   socket.set_option(tcp::no_delay(true), ignored);
   const auto weak = weak_from_this();
-  serve_connection(std::move(socket), {.token = token, .port = port}, [weak](std::shared_ptr<PageSocket> page) {
-    if (const auto self = weak.lock()) self->take(std::move(page));
-  });
+  serve_connection(std::move(socket), {.token = token, .port = port},
+                   [weak](std::shared_ptr<PageSocket> page) {
+                     if (const auto self = weak.lock()) self->take(std::move(page));
+                   });
 }
 
 /// A page's WebSocket has opened: the one before it, if any, is sent away.
