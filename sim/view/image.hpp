@@ -10,7 +10,7 @@ namespace palpate::sim {
 struct Image {
   int width = 0;   // [pixel]
   int height = 0;  // [pixel]
-  std::vector<std::uint8_t> rgb;
+  std::vector<std::uint8_t> rgb{};
 };
 
 /// The bytes of a PNG file that holds exactly these pixels.

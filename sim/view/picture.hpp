@@ -15,9 +15,9 @@ struct Colour {
 
 /// A closed surface, shaded smoothly but for its sharp edges.
 struct DrawnBody {
-  std::string name;
-  Eigen::Matrix3Xf positions;       // of the nodes, 3 x n [m]
-  std::vector<Triangle> triangles;  // columns of positions, anticlockwise from outside
+  std::string name{};
+  Eigen::Matrix3Xf positions{};       // of the nodes, 3 x n [m]
+  std::vector<Triangle> triangles{};  // columns of positions, anticlockwise from outside
   Colour colour{};
   float opacity = 1.0F;  // seen face on: 1 solid, less than 1 translucent, 0 not drawn
 };
@@ -42,8 +42,8 @@ struct Camera {
 
 /// All that a picture shows.
 struct Picture {
-  std::vector<DrawnBody> bodies;
-  std::vector<DrawnProbe> probes;
+  std::vector<DrawnBody> bodies{};
+  std::vector<DrawnProbe> probes{};
   Camera camera{};
   Colour background{0.98F, 0.98F, 0.97F};
   double scale_bar = 0.0;  // length of the bar in the lower left corner, true at the target [m]; 0: no bar
