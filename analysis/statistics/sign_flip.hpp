@@ -18,10 +18,10 @@ struct SignFlipTest {
   std::size_t n = 0;  // differences, zeros included
   double mean = 0.0;  // of the differences: the estimate
   PValues p{};
-  bool exact = true;       // false: Monte Carlo, p = (1 + as extreme)/(1 + resamples)
-  long resamples = 0;      // 0 when exact
-  std::uint64_t seed = 0;  // of the Monte Carlo part, if there was one
-  Interval interval{};     // for the mean, by inverting the test; ends may be infinite when n is small
+  bool exact = true;                    // false: Monte Carlo, p = (1 + as extreme)/(1 + resamples)
+  long resamples = 0;                   // 0 when exact
+  std::optional<std::uint64_t> seed{};  // of the Monte Carlo part, if there was one
+  Interval interval{};  // for the mean, by inverting the test; ends may be infinite when n is small
   Method method{};
 };
 

@@ -8,5 +8,6 @@ namespace palpate::app {
 // std::invalid_argument (exit code 1), a machine or device that fails as std::runtime_error or
 // std::system_error (exit code 3).
 void add_press(CLI::App& app);
+void add_stats(CLI::App& app);
 
 }  // namespace palpate::app
