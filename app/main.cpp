@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
   palpate::app::add_check(app);
   palpate::app::add_mesh(app);
   palpate::app::add_press(app);
+  palpate::app::add_stats(app);
 
   try {
     app.parse(argc, argv);

@@ -10,5 +10,6 @@ namespace palpate::app {
 void add_check(CLI::App& app);
 void add_mesh(CLI::App& app);
 void add_press(CLI::App& app);
+void add_stats(CLI::App& app);
 
 }  // namespace palpate::app
