@@ -29,6 +29,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(0, 1);
   palpate::app::add_check(app);
   palpate::app::add_press(app);
+  palpate::app::add_render(app);
 
   try {
     app.parse(argc, argv);

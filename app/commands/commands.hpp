@@ -9,5 +9,6 @@ namespace palpate::app {
 // std::system_error (exit code 3).
 void add_check(CLI::App& app);
 void add_press(CLI::App& app);
+void add_render(CLI::App& app);
 
 }  // namespace palpate::app
