@@ -31,6 +31,7 @@ int main(int argc, char** argv) {
   palpate::app::add_mesh(app);
   palpate::app::add_press(app);
   palpate::app::add_stats(app);
+  palpate::app::add_render(app);
 
   try {
     app.parse(argc, argv);

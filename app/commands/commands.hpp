@@ -11,5 +11,6 @@ void add_check(CLI::App& app);
 void add_mesh(CLI::App& app);
 void add_press(CLI::App& app);
 void add_stats(CLI::App& app);
+void add_render(CLI::App& app);
 
 }  // namespace palpate::app
