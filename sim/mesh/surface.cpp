@@ -12,8 +12,7 @@ std::vector<Face> sorted_faces(const TetMesh& mesh) {
   for (int t = 0; const Tetrahedron& tetrahedron : mesh.tetrahedra) {
     for (const Triangle& local : kOutwardFaces) {
       Face face{.tetrahedron = t};
-      for (std::size_t i = 0; i < 3; ++i)
-        face.corners[i] = tetrahedron[static_cast<std::size_t>(local[i])];
+      for (std::size_t i = 0; i < 3; ++i) face.corners[i] = tetrahedron[static_cast<std::size_t>(local[i])];
       face.key = face.corners;
       std::sort(face.key.begin(), face.key.end());
       faces.push_back(face);
