@@ -59,7 +59,7 @@ TEST_P(PrescribedAgainstDense, GivesTheSameForcesWhateverSetCameBefore) {
 
 INSTANTIATE_TEST_SUITE_P(Probes, PrescribedAgainstDense,
                          ::testing::Values("kind = \"point\"", "kind = \"point\"\ntangential = \"free\"",
-                                         "kind = \"pad\"\nradius = \"6 mm\""));
+                                           "kind = \"pad\"\nradius = \"6 mm\""));
 
 TEST(Claims, KeepTheLargerDisplacementAndTheFirstOfTwoAlike) {
   Claims claims(4);

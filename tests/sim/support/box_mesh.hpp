@@ -11,7 +11,7 @@
 
 #include "sim/mesh/tet_mesh.hpp"
 
-namespace palpate::sim::testing {
+namespace palpate::sim::test {
 
 /// A box [0, size] of nx x ny x nz cells, each cut into six tetrahedra along its main diagonal (Kuhn), so
 /// that neighbours fit. Node (i, j, k) has index i + (nx + 1) (j + (ny + 1) k) and the tag index + 1. The
@@ -80,4 +80,4 @@ inline TetMesh shaken(TetMesh mesh, double amount, unsigned seed) {
   return mesh;
 }
 
-}  // namespace palpate::sim::testing
+}  // namespace palpate::sim::test

@@ -75,12 +75,13 @@ depth = "2 mm"
 std::filesystem::path write_two_boxes(const TwoBoxes& boxes) {
   const auto folder = fresh_folder();
   const double side = 30e-3, height = 20e-3, thickness = 5e-3;  // [m]
-  write_msh(folder / "upper.msh",
-            with_sides(box_mesh(boxes.upper_divisions, boxes.upper_divisions, 2, Vec3(side, side, thickness))));
+  write_msh(folder / "upper.msh", with_sides(box_mesh(boxes.upper_divisions, boxes.upper_divisions, 2,
+                                                      Vec3(side, side, thickness))));
   write_msh(folder / "lower.msh", box_mesh(boxes.divisions, boxes.divisions, 4, Vec3(side, side, height)));
-  std::ofstream(folder / "scene.toml") << fmt::format(
-      kScene, fmt::arg("shift", boxes.shift), fmt::arg("top", height + boxes.gap), fmt::arg("probe", boxes.probe),
-      fmt::arg("middle", side / 2 + boxes.shift), fmt::arg("upper_top", height + boxes.gap + thickness));
+  std::ofstream(folder / "scene.toml")
+      << fmt::format(kScene, fmt::arg("shift", boxes.shift), fmt::arg("top", height + boxes.gap),
+                     fmt::arg("probe", boxes.probe), fmt::arg("middle", side / 2 + boxes.shift),
+                     fmt::arg("upper_top", height + boxes.gap + thickness));
   return folder / "scene.toml";
 }
 
