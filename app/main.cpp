@@ -30,9 +30,9 @@ int main(int argc, char** argv) {
   palpate::app::add_check(app);
   palpate::app::add_mesh(app);
   palpate::app::add_press(app);
-  palpate::app::add_stats(app);
   palpate::app::add_render(app);
   palpate::app::add_run(app);
+  palpate::app::add_stats(app);
 
   try {
     app.parse(argc, argv);

@@ -13,8 +13,8 @@ struct Interrupted {};
 void add_check(CLI::App& app);
 void add_mesh(CLI::App& app);
 void add_press(CLI::App& app);
-void add_stats(CLI::App& app);
 void add_render(CLI::App& app);
 void add_run(CLI::App& app);
+void add_stats(CLI::App& app);
 
 }  // namespace palpate::app
