@@ -8,7 +8,8 @@ DefineConstant[
   contact_angle = {75, Name "contact: to each side of the top [degree]"},
   margin = {6, Name "contact: free of it at each end [mm]"},
   sacral_angle = {24, Name "held by the sacrum: to each side of the bottom [degree]"},
-  size = {6.6, Name "edge length aimed at [mm]"}
+  size = {7, Name "edge length aimed at on the outer wall [mm]"},
+  lumen_size = {7, Name "edge length aimed at on the lumen [mm]"}
 ];
 inner = inner_radius * mm;
 outer_radius = (inner_radius + wall) * mm;
@@ -44,5 +45,6 @@ Physical Volume("rectum") = Volume{:};
 Physical Surface("contact") = contact_faces();
 Physical Surface("fixed") = {strip_faces(), end_faces()};
 Physical Surface("lumen") = lumen_faces();
-Mesh.MeshSizeMin = size * mm;
-Mesh.MeshSizeMax = size * mm;
+
+MeshSize{ PointsOf{ Volume{:}; } } = size * mm;
+MeshSize{ PointsOf{ Surface{lumen_faces()}; } } = lumen_size * mm;
