@@ -23,7 +23,7 @@ struct Memory {};
 
 /// Nodal forces on the touchable nodes of each body [N], 3t entries each, the probes' included.
 struct Loads {
-  std::vector<Eigen::VectorXd> on_body;
+  std::vector<Eigen::VectorXd> on_body{};
 };
 
 enum class Stop { Converged, IterationLimit, SingularMatrix };
@@ -37,7 +37,6 @@ struct SolveReport {
 /// What happened between two bodies in one cycle.
 struct PairSummary {
   int active = 0;                                            // colliding (node, polygon) pairs
-  double penetration = 0.0;                                  // deepest overlap that remains [m]
   std::array<Vec3, 2> force_on{Vec3::Zero(), Vec3::Zero()};  // contact force on each body [N]
 };
 

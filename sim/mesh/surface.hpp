@@ -8,8 +8,8 @@ namespace palpate::sim {
 
 /// The boundary of a mesh: faces that belong to one tetrahedron only, seen anticlockwise from outside.
 struct Surface {
-  std::vector<Triangle> triangles;  // node indices
-  std::vector<int> nodes;           // ascending, each node of a triangle once
+  std::vector<Triangle> triangles{};  // node indices
+  std::vector<int> nodes{};           // ascending, each node of a triangle once
 };
 
 Surface extract_surface(const TetMesh& mesh);

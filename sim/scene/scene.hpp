@@ -22,14 +22,14 @@ struct Box {
 using NodeSelection = std::variant<std::string, Box, std::vector<std::int64_t>>;
 
 struct BodySpec {
-  std::string name;
+  std::string name{};
   bool present = true;
-  std::filesystem::path mesh;    // absolute, or relative to the working directory
+  std::filesystem::path mesh{};  // absolute, or relative to the working directory
   double metres_per_unit = 1.0;  // of the mesh file [m]
   Material material{};
-  std::map<std::string, Material> regions;  // named volume groups of another material
-  std::optional<NodeSelection> fixed;
-  std::optional<NodeSelection> touchable;  // absent: the whole free surface
+  std::map<std::string, Material> regions{};  // named volume groups of another material
+  std::optional<NodeSelection> fixed{};
+  std::optional<NodeSelection> touchable{};  // absent: the whole free surface
   double scale = 1.0;
   Vec3 rotate = Vec3::Zero();  // rotation vector: axis times angle [rad]
   Vec3 offset = Vec3::Zero();  // [m], after scale and rotation
@@ -38,7 +38,7 @@ struct BodySpec {
 enum class ContactModel { None, Sibille, Kuroda };
 
 struct ContactSpec {
-  std::vector<std::array<std::string, 2>> touch;  // which bodies may touch
+  std::vector<std::array<std::string, 2>> touch{};  // which bodies may touch
   ContactModel model = ContactModel::Kuroda;
 };
 
@@ -46,8 +46,8 @@ enum class ProbeKind { Point, Pad };
 enum class Tangential { Held, Free };
 
 struct ProbeSpec {
-  std::string name;
-  std::string body;
+  std::string name{};
+  std::string body{};
   ProbeKind kind = ProbeKind::Point;
   std::variant<Vec3, std::int64_t> at =
       Vec3(Vec3::Zero());          // a place [m], or a node's number in the mesh file
@@ -59,19 +59,19 @@ struct ProbeSpec {
 
 /// Bodies, materials, supports, what may touch what, probes. Plain data, validated at the border.
 struct Scene {
-  std::string name;
-  std::filesystem::path file;    // where it was read
-  std::vector<BodySpec> bodies;  // in the order of the file
+  std::string name{};
+  std::filesystem::path file{};    // where it was read
+  std::vector<BodySpec> bodies{};  // in the order of the file
   ContactSpec contact{};
-  std::vector<ProbeSpec> probes;  // the first is the finger whose force is reported
+  std::vector<ProbeSpec> probes{};  // the first is the finger whose force is reported
 };
 
 /// One entry of a scene replaced: dotted key and TOML value, e.g. {"bodies.prostate.young_modulus", "\"5.0
 /// MPa\""}. A value that is no TOML is taken as a string, so that `--set bodies.prostate.young_modulus="5
 /// MPa"` works.
 struct Override {
-  std::string key;
-  std::string value;
+  std::string key{};
+  std::string value{};
 };
 
 /// Reads and validates a scene file, `overrides` put in place first.

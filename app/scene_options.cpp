@@ -1,0 +1,32 @@
+#include "app/scene_options.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace palpate::app {
+
+void add_scene(CLI::App& command, SceneOptions& options) {
+  command.add_option("scene", options.file, "Scene file (TOML)")->required();
+  command.add_option("--model", options.model,
+                     "Contact model: none, sibille or kuroda (default: the scene's)");
+  command
+      .add_option("--set", options.set, "Replace an entry of the scene, e.g. bodies.prostate.present=false")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+sim::Scene load_scene(const SceneOptions& options) {
+  std::vector<sim::Override> overrides;
+  for (const std::string& entry : options.set) {
+    const auto equals = entry.find('=');
+    if (equals == std::string::npos)
+      throw std::invalid_argument(
+          fmt::format("--set {}: accepted: KEY=VALUE, e.g. contact.model=none", entry));
+    overrides.push_back({entry.substr(0, equals), entry.substr(equals + 1)});
+  }
+  if (!options.model.empty()) overrides.push_back({"contact.model", options.model});
+  return sim::load_scene(options.file, overrides);
+}
+
+}  // namespace palpate::app

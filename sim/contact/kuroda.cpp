@@ -1,0 +1,158 @@
+#include <cmath>
+#include <limits>
+
+#include "sim/contact/laws.hpp"
+
+// Symbols of the paper: a node a of body A has passed polygon S of body B; F is the foot of the perpendicular
+// from a to the plane of S. Here A is `node_body`, B is `polygon_body`.
+
+namespace palpate::sim {
+namespace {
+
+/// Equation (1): u_temp = vector from F to a, which is perpendicular to S and points into B.
+Vec3 temporary_displacement(const CollidingPair& pair) {
+  return -pair.depth * pair.normal;
+}
+
+bool has_corner(const Triangle& triangle, int node) {
+  return triangle[0] == node || triangle[1] == node || triangle[2] == node;
+}
+
+/// The polygon of A beside node a that faces S most squarely; of two alike the lower number.
+int adjacent_polygon(const Body& body, const BodyMotion& motion, int node, const Vec3& normal_of_s) {
+  int adjacent = -1;
+  double least = std::numeric_limits<double>::infinity();
+  const auto at = static_cast<std::size_t>(node);
+  for (int i = body.polygons.incident_begin[at]; i < body.polygons.incident_begin[at + 1]; ++i) {
+    const int polygon = body.polygons.incident[static_cast<std::size_t>(i)];
+    const double alignment = polygon_normal(body, motion, polygon).dot(normal_of_s);
+    if (alignment < least) {
+      least = alignment;
+      adjacent = polygon;
+    }
+  }
+  return adjacent;
+}
+
+/// The pair that sees the same collision from B: a node of S that has passed a polygon which has a as a
+/// corner. The deepest; of two alike the first. -1 where B has none.
+int mate(const Model& model, const Pairs& pairs, const CollidingPair& pair) {
+  const Triangle& s = model.bodies[static_cast<std::size_t>(pair.polygon_body)]
+                          .polygons.triangles[static_cast<std::size_t>(pair.polygon)];
+  int found = -1;
+  double deepest = 0.0;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const CollidingPair& other = pairs[i];
+    if (other.touch_pair != pair.touch_pair || other.node_body != pair.polygon_body ||
+        !has_corner(s, other.node))
+      continue;
+    const Triangle& corners = model.bodies[static_cast<std::size_t>(other.polygon_body)]
+                                  .polygons.triangles[static_cast<std::size_t>(other.polygon)];
+    if (has_corner(corners, pair.node) && other.depth > deepest) {
+      deepest = other.depth;
+      found = static_cast<int>(i);
+    }
+  }
+  return found;
+}
+
+void ask_polygon(Scratch::Buffers& buffers, Claims BodyBuffers::*claims, const Model& model, int body,
+                 int polygon, const Vec3& displacement, int touch_pair) {
+  const auto at = static_cast<std::size_t>(body);
+  for (const int node : model.bodies[at].polygons.triangles[static_cast<std::size_t>(polygon)])
+    (buffers.bodies[at].*claims).ask(node, displacement, touch_pair);
+}
+
+/// Equation (2) for every pair: with A rigid the corners P, Q, R of S follow u_temp; with B rigid the polygon
+/// of A beside a yields by as much. (Where a node b of B has passed that polygon too, its own pair asks for F
+/// -> b, and the larger of the two is taken.)
+void ask_temporary(const Model& model, Scratch::Buffers& buffers) {
+  for (const CollidingPair& pair : buffers.pairs) {
+    const auto node_body = static_cast<std::size_t>(pair.node_body);
+    const Vec3 u_temp = temporary_displacement(pair);
+    ask_polygon(buffers, &BodyBuffers::temporary_claims, model, pair.polygon_body, pair.polygon, u_temp,
+                pair.touch_pair);
+    const int beside =
+        adjacent_polygon(model.bodies[node_body], buffers.free_motion[node_body], pair.node, pair.normal);
+    ask_polygon(buffers, &BodyBuffers::temporary_claims, model, pair.node_body, beside, -u_temp,
+                pair.touch_pair);
+  }
+}
+
+/// Steps 3 and 4: temporary deformation of each body, the other taken as rigid, and the surface forces it
+/// takes.
+bool deform_temporarily(const Model& model, Scratch::Buffers& buffers) {
+  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+    BodyBuffers& body = buffers.bodies[i];
+    body.temporary_claims.sort();
+    if (body.temporary_claims.nodes.empty()) continue;
+    if (!body.temporary.factor(buffers.rows, body.temporary_claims.nodes)) return false;
+    const auto multipliers = body.temporary.solve(nullptr, body.temporary_claims.displacement);
+    const double* force = multipliers.data() + body.temporary.probe_rows();
+    body.temporary_forces.setZero();
+    for (const int node : body.temporary_claims.nodes) {
+      body.temporary_forces.segment<3>(3 * node) =
+          model.bodies[i].young_modulus * Vec3(force[0], force[1], force[2]);
+      force += 3;
+    }
+  }
+  return true;
+}
+
+/// |f| of a polygon: the mean of the force vectors on its corners, projected onto its normal.
+double surface_force(const Model& model, const Scratch::Buffers& buffers, int body, int polygon) {
+  const auto at = static_cast<std::size_t>(body);
+  Vec3 sum = Vec3::Zero();
+  for (const int node : model.bodies[at].polygons.triangles[static_cast<std::size_t>(polygon)])
+    sum += buffers.bodies[at].temporary_forces.segment<3>(3 * node);
+  return std::abs((sum / 3.0).dot(polygon_normal(model.bodies[at], buffers.free_motion[at], polygon)));
+}
+
+PairShare share_of(const Model& model, const Scratch::Buffers& buffers, const CollidingPair& pair) {
+  PairShare share;
+  share.polygon_force = surface_force(model, buffers, pair.polygon_body, pair.polygon);
+  const int seen_from_b = mate(model, buffers.pairs, pair);
+  if (seen_from_b >= 0) {
+    const CollidingPair& other = buffers.pairs[static_cast<std::size_t>(seen_from_b)];
+    share.node_force = surface_force(model, buffers, other.polygon_body, other.polygon);
+  } else {
+    const auto node_body = static_cast<std::size_t>(pair.node_body);
+    const int beside =
+        adjacent_polygon(model.bodies[node_body], buffers.free_motion[node_body], pair.node, pair.normal);
+    share.node_force = surface_force(model, buffers, pair.node_body, beside);
+  }
+  const bool polygon_resists_more =
+      share.polygon_force > share.node_force ||
+      (share.polygon_force == share.node_force && pair.polygon_body < pair.node_body);
+  const bool any_force = share.polygon_force + share.node_force > 0.0;
+  share.carried_out = any_force && (seen_from_b < 0 || polygon_resists_more);
+  return share;
+}
+
+/// Equations (3) and (4): the node gives way by the polygon's share of the resistance, the polygon by the
+/// node's.
+void ask_actual(const Model& model, Scratch::Buffers& buffers, const CollidingPair& pair,
+                const PairShare& share) {
+  const Vec3 u_temp = temporary_displacement(pair);
+  const double sum = share.polygon_force + share.node_force;
+  const Vec3 u_a = -(share.polygon_force / sum) * u_temp;
+  const Vec3 u_b = (share.node_force / sum) * u_temp;
+  buffers.bodies[static_cast<std::size_t>(pair.node_body)].actual_claims.ask(pair.node, u_a, pair.touch_pair);
+  ask_polygon(buffers, &BodyBuffers::actual_claims, model, pair.polygon_body, pair.polygon, u_b,
+              pair.touch_pair);
+}
+
+}  // namespace
+
+SolveReport kuroda(const Model& model, Scratch::Buffers& buffers) {
+  ask_temporary(model, buffers);
+  if (!deform_temporarily(model, buffers)) return {.stop = Stop::SingularMatrix};
+  buffers.shares.clear();
+  for (const CollidingPair& pair : buffers.pairs) {
+    buffers.shares.push_back(share_of(model, buffers, pair));
+    if (buffers.shares.back().carried_out) ask_actual(model, buffers, pair, buffers.shares.back());
+  }
+  return {};
+}
+
+}  // namespace palpate::sim

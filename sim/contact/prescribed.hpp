@@ -1,0 +1,75 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "sim/cycle/cycle.hpp"
+#include "sim/probe/footprint.hpp"
+#include "sim/scene/model.hpp"
+
+namespace palpate::sim {
+
+/// Displacements asked of touchable nodes of one body, beyond where its probes alone bring them. A node that
+/// is asked twice takes the larger displacement, of two alike the first; a node that a pressing probe holds
+/// stays with the probe.
+struct Claims {
+  std::vector<Vec3> displacement;  // of each touchable node [m]
+  std::vector<double> squared;     // its squared length, -1 where nothing is asked
+  std::vector<int> touch_pair;     // that asked
+  std::vector<char> held;          // 1: held by a probe that presses
+  std::vector<int> nodes;          // that are asked, ascending once sort() is called
+
+  explicit Claims(int touchable_nodes);
+  void clear();
+  void hold(std::span<const int> probe_nodes);
+  void ask(int node, const Vec3& displacement_asked, int touch_pair_asking);
+  void sort();
+};
+
+/// Forces that bring touched nodes to prescribed displacements while the pressing probes hold still: C_DD f_D
+/// = u_D
+/// ([Hirota1998]), by a Cholesky factor whose leading rows are kept from cycle to cycle as long as they ask
+/// for the same unknowns. A kept row has the bits that a fresh one would have, so no force depends on what
+/// went before.
+class PrescribedSolve {
+ public:
+  /// All storage is taken here. @param model  outlives the solve
+  PrescribedSolve(const Model& model, int body);
+
+  /// @return false when C_DD is not positive definite to round-off
+  bool factor(const ProbeRows& probes, std::span<const int> nodes);
+
+  /// Multipliers for E = 1 Pa, in the order of rows(): probe axes first, then x y z of each node.
+  std::span<const double> solve(const ProbeRows* probe_values, std::span<const Vec3> node_values);
+
+  int rows() const { return static_cast<int>(rows_.size()); }
+  int probe_rows() const { return probe_rows_; }
+  /// Adds the displacements that the multipliers of the last solve bring, for any E that scaled them away.
+  void add_displacement(Eigen::VectorXd& displacement) const;
+  /// Adds E times the multipliers of the last solve as nodal forces [N].
+  void add_forces(Eigen::VectorXd& forces) const;
+  /// Force of probe `probe` on the body along its axes times E, in space [N].
+  Vec3 probe_force(int probe) const;
+
+ private:
+  struct Row {
+    int probe = -1;  // index into Model::probes, or -1
+    int index = 0;   // probe: axis; node: unknown 3 i + component
+    bool operator==(const Row&) const = default;
+  };
+  double entry(const Row& a, const Row& b) const;
+  double* row(int i) { return factor_.data() + static_cast<std::ptrdiff_t>(i) * stride_; }
+  const double* row(int i) const { return factor_.data() + static_cast<std::ptrdiff_t>(i) * stride_; }
+
+  const Model& model_;
+  const Body& body_;
+  int stride_ = 0;
+  int probe_rows_ = 0;
+  int factored_ = 0;  // leading rows of factor_ that hold
+  std::vector<Row> rows_, wanted_;
+  std::vector<double> factor_;  // lower triangle, one row after the other
+  std::vector<double> multipliers_;
+};
+
+}  // namespace palpate::sim

@@ -1,0 +1,55 @@
+#include "sim/mesh/surface.hpp"
+
+#include <algorithm>
+
+#include "sim/mesh/faces.hpp"
+
+namespace palpate::sim {
+
+std::vector<Face> sorted_faces(const TetMesh& mesh) {
+  std::vector<Face> faces;
+  faces.reserve(4 * mesh.tetrahedra.size());
+  for (int t = 0; const Tetrahedron& tetrahedron : mesh.tetrahedra) {
+    for (const Triangle& local : kOutwardFaces) {
+      Face face{.tetrahedron = t};
+      for (std::size_t i = 0; i < 3; ++i) face.corners[i] = tetrahedron[static_cast<std::size_t>(local[i])];
+      face.key = face.corners;
+      std::sort(face.key.begin(), face.key.end());
+      faces.push_back(face);
+    }
+    ++t;
+  }
+  std::sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) {
+    return a.key != b.key ? a.key < b.key : a.tetrahedron < b.tetrahedron;
+  });
+  return faces;
+}
+
+bool same_sense(const Face& a, const Face& b) {
+  const auto start = std::find(b.corners.begin(), b.corners.end(), a.corners[0]) - b.corners.begin();
+  return b.corners[static_cast<std::size_t>(start + 1) % 3] == a.corners[1];
+}
+
+Surface extract_surface(const TetMesh& mesh) {
+  const std::vector<Face> faces = sorted_faces(mesh);
+  std::vector<Face> single;
+  for (std::size_t first = 0, last = 0; first < faces.size(); first = last) {
+    while (last < faces.size() && faces[last].key == faces[first].key) ++last;
+    if (last - first == 1) single.push_back(faces[first]);
+  }
+  // Neighbours in the file stay neighbours on the surface, which keeps later passes over it in the cache.
+  std::stable_sort(single.begin(), single.end(),
+                   [](const Face& a, const Face& b) { return a.tetrahedron < b.tetrahedron; });
+
+  Surface surface;
+  surface.triangles.reserve(single.size());
+  for (const Face& face : single) {
+    surface.triangles.push_back(face.corners);
+    surface.nodes.insert(surface.nodes.end(), face.corners.begin(), face.corners.end());
+  }
+  std::sort(surface.nodes.begin(), surface.nodes.end());
+  surface.nodes.erase(std::unique(surface.nodes.begin(), surface.nodes.end()), surface.nodes.end());
+  return surface;
+}
+
+}  // namespace palpate::sim

@@ -1,0 +1,132 @@
+#include "sim/pairing/find_pairs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate::sim {
+namespace {
+
+Vec3 area_vector(const Triangle& corners, const Eigen::Matrix3Xd& positions) {
+  const Vec3 a = positions.col(corners[0]);
+  return (Vec3(positions.col(corners[1])) - a).cross(Vec3(positions.col(corners[2])) - a);
+}
+
+/// Normals of the polygons around a node, each weighted with its angle there. Source: [Baerentzen2005].
+Vec3 corner_normal(const TouchSurface& surface, const Eigen::Matrix3Xd& positions, int node) {
+  Vec3 sum = Vec3::Zero();
+  const auto at = static_cast<std::size_t>(node);
+  for (int i = surface.incident_begin[at]; i < surface.incident_begin[at + 1]; ++i) {
+    const Triangle& corners =
+        surface.triangles[static_cast<std::size_t>(surface.incident[static_cast<std::size_t>(i)])];
+    const auto k = static_cast<std::size_t>(std::ranges::find(corners, node) - corners.begin());
+    const Vec3 here = positions.col(node);
+    const Vec3 next = Vec3(positions.col(corners[(k + 1) % 3])) - here;
+    const Vec3 last = Vec3(positions.col(corners[(k + 2) % 3])) - here;
+    const Vec3 area = next.cross(last);
+    sum += std::atan2(area.norm(), next.dot(last)) * area.normalized();
+  }
+  return sum;
+}
+
+/// Direction that tells inside from outside at a nearest point; zero where the patch ends, which decides
+/// nothing.
+Vec3 outward_at(const TouchSurface& surface, const Eigen::Matrix3Xd& positions, const NearestPolygon& found) {
+  const auto polygon = static_cast<std::size_t>(found.polygon);
+  const Triangle& corners = surface.triangles[polygon];
+  if (found.nearest.corner >= 0) {
+    const int node = corners[static_cast<std::size_t>(found.nearest.corner)];
+    if (surface.rim[static_cast<std::size_t>(node)]) return Vec3::Zero();
+    return corner_normal(surface, positions, node);
+  }
+  const Vec3 normal = area_vector(corners, positions).normalized();
+  if (found.nearest.edge < 0) return normal;
+  const int beyond = surface.across[polygon][static_cast<std::size_t>(found.nearest.edge)];
+  if (beyond < 0) return Vec3::Zero();
+  return normal + area_vector(surface.triangles[static_cast<std::size_t>(beyond)], positions).normalized();
+}
+
+struct Side {
+  int body = 0;
+  const Body& shape;
+  const BodyMotion& motion;
+};
+
+void find_colliding_nodes(const Side& nodes, const Side& polygons, int touch_pair, Pairs& pairs) {
+  const TouchSurface& surface = polygons.shape.polygons;
+  const AabbTree& tree = polygons.motion.moved ? polygons.motion.tree : polygons.shape.tree;
+  if (tree.nodes.empty()) return;
+  if (!nodes.motion.moved && !polygons.motion.moved) return;
+  for (const int node : nodes.shape.colliding_nodes) {
+    const Vec3 position = nodes.motion.positions.col(node);
+    const double moved = nodes.motion.displacement.segment<3>(3 * node).norm();
+    const NearestPolygon found =
+        find_nearest(tree, surface.triangles, polygons.motion.positions, position, moved);
+    if (found.polygon < 0) continue;
+    const Vec3 outward = outward_at(surface, polygons.motion.positions, found);
+    if (!((position - found.nearest.point).dot(outward) < 0.0)) continue;
+    const Triangle& corners = surface.triangles[static_cast<std::size_t>(found.polygon)];
+    const Vec3 normal = area_vector(corners, polygons.motion.positions).normalized();
+    const double depth = (Vec3(polygons.motion.positions.col(corners[0])) - position).dot(normal);
+    if (!(depth > 0.0)) continue;
+    pairs.push_back({touch_pair, nodes.body, node, polygons.body, found.polygon, depth, normal});
+  }
+}
+
+}  // namespace
+
+FreeMotion rest_motion(const Model& model) {
+  FreeMotion motion;
+  for (const Body& body : model.bodies)
+    motion.push_back({.displacement = Eigen::VectorXd::Zero(3 * body.rest.cols()),
+                      .positions = body.rest,
+                      .tree = body.tree,
+                      .moved = false});
+  return motion;
+}
+
+void place(const Model& model, FreeMotion& motion) {
+  for (std::size_t i = 0; i < motion.size(); ++i) {
+    BodyMotion& body = motion[i];
+    if (!body.moved) continue;
+    const Eigen::Map<const Eigen::Matrix3Xd> displacement(body.displacement.data(), 3, body.positions.cols());
+    body.positions = model.bodies[i].rest + displacement;
+    refit(body.tree, model.bodies[i].polygons.triangles, body.positions, displacement);
+  }
+}
+
+std::size_t most_pairs(const Model& model) {
+  std::size_t most = 0;
+  for (const TouchPair& pair : model.pairs)
+    for (const int body : pair.bodies)
+      most += model.bodies[static_cast<std::size_t>(body)].colliding_nodes.size();
+  return most;
+}
+
+void find_pairs(const Model& model, const FreeMotion& motion, Pairs& pairs) {
+  pairs.clear();
+  for (std::size_t p = 0; p < model.pairs.size(); ++p) {
+    const auto [first, second] = model.pairs[p].bodies;
+    const auto a = static_cast<std::size_t>(first), b = static_cast<std::size_t>(second);
+    const Side side_a{first, model.bodies[a], motion[a]}, side_b{second, model.bodies[b], motion[b]};
+    find_colliding_nodes(side_a, side_b, static_cast<int>(p), pairs);
+    find_colliding_nodes(side_b, side_a, static_cast<int>(p), pairs);
+  }
+}
+
+Vec3 polygon_normal(const Body& body, const BodyMotion& motion, int polygon) {
+  return area_vector(body.polygons.triangles[static_cast<std::size_t>(polygon)], motion.positions)
+      .normalized();
+}
+
+std::vector<double> deepest_overlaps(const Model& model, const FreeMotion& motion) {
+  Pairs pairs;
+  find_pairs(model, motion, pairs);
+  std::vector<double> deepest(model.pairs.size(), 0.0);
+  for (const CollidingPair& pair : pairs) {
+    double& depth = deepest[static_cast<std::size_t>(pair.touch_pair)];
+    depth = std::max(depth, pair.depth);
+  }
+  return deepest;
+}
+
+}  // namespace palpate::sim

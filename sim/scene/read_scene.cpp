@@ -1,0 +1,205 @@
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "sim/io/toml_reader.hpp"
+#include "sim/scene/scene.hpp"
+
+namespace palpate::sim {
+namespace {
+
+/// A value as a TOML file would hold it; what is no TOML is a string, so that units need no quotes in a
+/// shell.
+toml::table parse_override(const Override& change) {
+  try {
+    return toml::parse("value = " + change.value);
+  } catch (const toml::parse_error&) {
+    return toml::table{{"value", change.value}};
+  }
+}
+
+void apply(toml::table& root, const Override& change) {
+  toml::table* table = &root;
+  std::string_view key = change.key;
+  for (auto dot = key.find('.'); dot != std::string_view::npos; dot = key.find('.')) {
+    const std::string_view name = key.substr(0, dot);
+    if (!table->contains(name)) table->insert(name, toml::table{});
+    table = table->get(name)->as_table();
+    if (!table)
+      throw std::invalid_argument(fmt::format("{}: \"{}\" is a value and has no parts", change.key, name));
+    key.remove_prefix(dot + 1);
+  }
+  if (key.empty())
+    throw std::invalid_argument(
+        fmt::format("\"{}\" names no entry of a scene; example: contact.model", change.key));
+  const toml::table parsed = parse_override(change);
+  parsed.get("value")->visit([&](const auto& value) { table->insert_or_assign(key, value); });
+}
+
+NodeSelection read_selection(TomlReader& reader, std::string_view key, const toml::node& node) {
+  if (node.is_string()) return *node.value<std::string>();
+  if (node.is_array()) {
+    std::vector<std::int64_t> tags;
+    for (const toml::node& item : *node.as_array()) {
+      if (!item.is_integer())
+        reader.refuse(key, fmt::format("holds {}, accepted: node numbers", TomlReader::describe(item)));
+      tags.push_back(*item.value<std::int64_t>());
+    }
+    return tags;
+  }
+  if (!node.is_table())
+    reader.refuse(key, fmt::format("found {}, accepted: a group's name, node numbers, or a box "
+                                   "{{ lower = [...], upper = [...] }}",
+                                   TomlReader::describe(node)));
+  TomlReader box(*node.as_table(), reader.file(), reader.key_path(key));
+  box.required("lower", "accepted: three lengths");
+  box.required("upper", "accepted: three lengths");
+  const Box found{*box.vector_quantity("lower", Dimension::Length),
+                  *box.vector_quantity("upper", Dimension::Length)};
+  box.refuse_unknown();
+  return found;
+}
+
+Material read_material(TomlReader& reader, double default_poisson) {
+  Material material;
+  material.young_modulus = reader.required_quantity("young_modulus", Dimension::Pressure, "\"1.0 MPa\"");
+  material.poisson_ratio = reader.number("poisson_ratio").value_or(default_poisson);
+  return material;
+}
+
+void refuse_later_effect(TomlReader& reader, std::string_view key, std::string_view effect) {
+  if (reader.has(key))
+    reader.refuse(key, fmt::format("calls for {}, which this version does not simulate", effect));
+}
+
+BodySpec read_body(TomlReader& reader, const std::string& name, const std::filesystem::path& folder) {
+  BodySpec body{.name = name};
+  body.present = reader.boolean("present").value_or(true);
+  body.mesh = folder / reader.required_text("mesh");
+  const std::string unit = reader.required_text("length_unit");
+  try {
+    body.metres_per_unit = metres_per_unit(unit);
+  } catch (const std::invalid_argument& error) {
+    reader.refuse("length_unit", error.what());
+  }
+  reader.required("poisson_ratio", "accepted: a number between -1 and 0.5");
+  body.material = read_material(reader, 0.0);
+  if (auto regions = reader.table("regions")) {
+    for (const std::string& region : regions->keys()) {
+      auto table = regions->table(region);
+      body.regions[region] = read_material(*table, body.material.poisson_ratio);
+      table->refuse_unknown();
+    }
+  }
+  body.fixed = read_selection(reader, "fixed",
+                              reader.required("fixed", "accepted: a group's name, node numbers, or a box"));
+  if (const toml::node* touchable = reader.node("touchable"))
+    body.touchable = read_selection(reader, "touchable", *touchable);
+  body.scale = reader.number("scale").value_or(1.0);
+  body.rotate = reader.vector_quantity("rotate", Dimension::Angle).value_or(Vec3::Zero());
+  body.offset = reader.vector_quantity("offset", Dimension::Length).value_or(Vec3::Zero());
+  refuse_later_effect(reader, "volumetric", "the near-incompressible treatment");
+  refuse_later_effect(reader, "relaxation", "viscosity");
+  reader.refuse_unknown();
+  return body;
+}
+
+ContactSpec read_contact(TomlReader& reader) {
+  ContactSpec contact;
+  for (const toml::node& item :
+       reader.as_array("touch", reader.required("touch", "accepted: pairs of bodies"),
+                       "pairs of bodies such as [[\"rectum\", \"prostate\"]]")) {
+    const toml::array* pair = item.as_array();
+    if (!pair || pair->size() != 2 || !(*pair)[0].is_string() || !(*pair)[1].is_string())
+      reader.refuse("touch", "accepted: pairs of bodies such as [[\"rectum\", \"prostate\"]]");
+    contact.touch.push_back({*(*pair)[0].value<std::string>(), *(*pair)[1].value<std::string>()});
+  }
+  const std::string model = reader.required_text("model");
+  try {
+    contact.model = contact_model_from(model);
+  } catch (const std::invalid_argument& error) {
+    reader.refuse("model", error.what());
+  }
+  refuse_later_effect(reader, "friction", "friction");
+  refuse_later_effect(reader, "pairing", "a choice of pairing (contact model exact)");
+  reader.refuse_unknown();
+  return contact;
+}
+
+ProbeKind read_kind(TomlReader& reader) {
+  const std::string kind = reader.required_text("kind");
+  if (kind == "point") return ProbeKind::Point;
+  if (kind == "pad") return ProbeKind::Pad;
+  if (kind == "fingertip" || kind == "region")
+    reader.refuse("kind", fmt::format("\"{}\" is not in this version; accepted: point, pad", kind));
+  reader.refuse("kind", fmt::format("found \"{}\", accepted: point, pad", kind));
+}
+
+ProbeSpec read_probe(TomlReader& reader, const std::string& name) {
+  ProbeSpec probe{.name = name};
+  probe.body = reader.required_text("body");
+  probe.kind = read_kind(reader);
+  const auto node = reader.integer("node");
+  const auto at = reader.vector_quantity("at", Dimension::Length);
+  if (node.has_value() == at.has_value())
+    reader.refuse("at",
+                  "exactly one of at (a place) and node (a node's number in the mesh file) is accepted");
+  if (node)
+    probe.at = *node;
+  else
+    probe.at = *at;
+  reader.required("direction", "accepted: three numbers such as [0, 0, 1]");
+  probe.direction = *reader.vector_number("direction");
+  if (!probe.direction.allFinite() || probe.direction.norm() == 0.0)
+    reader.refuse("direction", "has no length; accepted: three numbers, not all 0");
+  probe.direction.normalize();
+  probe.depth = reader.required_quantity("depth", Dimension::Length, "\"5 mm\"");
+  probe.radius = reader.quantity("radius", Dimension::Length).value_or(0.0);
+  if ((probe.kind == ProbeKind::Pad) != (probe.radius > 0.0))
+    reader.refuse("radius", probe.kind == ProbeKind::Pad ? "a pad needs a radius > 0, such as \"6 mm\""
+                                                         : "a point has no radius; kind = \"pad\" has one");
+  const std::string tangential = reader.text("tangential").value_or("held");
+  if (tangential != "held" && tangential != "free")
+    reader.refuse("tangential", fmt::format("found \"{}\", accepted: held, free", tangential));
+  probe.tangential = tangential == "held" ? Tangential::Held : Tangential::Free;
+  reader.refuse_unknown();
+  return probe;
+}
+
+TomlReader required_table(TomlReader& reader, std::string_view key, std::string_view accepted) {
+  reader.required(key, accepted);
+  return *reader.table(key);
+}
+
+}  // namespace
+
+Scene load_scene(const std::filesystem::path& file, std::span<const Override> overrides) {
+  toml::table root = read_toml(file);
+  for (const Override& change : overrides) apply(root, change);
+  TomlReader reader(root, file.string());
+  Scene scene{.name = reader.required_text("name"), .file = file};
+
+  TomlReader bodies = required_table(reader, "bodies", "accepted: one table [bodies.NAME] a body");
+  for (const std::string& name : bodies.keys()) {
+    auto body = bodies.table(name);
+    scene.bodies.push_back(read_body(*body, name, file.parent_path()));
+  }
+  if (auto contact = reader.table("contact"))
+    scene.contact = read_contact(*contact);
+  else
+    scene.contact.model = ContactModel::None;
+  TomlReader probes = required_table(reader, "probes", "accepted: one table [probes.NAME] a probe");
+  for (const std::string& name : probes.keys()) {
+    auto probe = probes.table(name);
+    scene.probes.push_back(read_probe(*probe, name));
+  }
+  reader.refuse_unknown();
+  try {
+    validate(scene);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("{}: {}", file.string(), error.what()));
+  }
+  return scene;
+}
+
+}  // namespace palpate::sim

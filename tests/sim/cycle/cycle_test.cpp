@@ -1,0 +1,120 @@
+#include "sim/cycle/cycle.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "sim/cycle/press.hpp"
+#include "sim/elasticity/static_solve.hpp"
+#include "tests/sim/support/two_boxes.hpp"
+
+namespace palpate::sim {
+namespace {
+
+using test::compile_scene;
+using test::write_two_boxes;
+
+const std::vector<Override> kNone{{"contact.model", "none"}};
+
+/// Forces on the touchable nodes as forces on the whole mesh, 3 x n.
+Eigen::Matrix3Xd on_mesh(const Body& body, const Eigen::VectorXd& loads) {
+  Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(body.mesh->nodes.size()));
+  for (std::size_t i = 0; i < body.compliance->touch.size(); ++i)
+    forces.col(body.compliance->touch[i]) = loads.segment<3>(3 * static_cast<Eigen::Index>(i));
+  return forces;
+}
+
+class CycleOfEachLaw : public testing::TestWithParam<const char*> {};
+
+// The loads of a cycle, put on the uncondensed body, must move its touchable nodes to where the cycle says they are.
+TEST_P(CycleOfEachLaw, CondensedDeformationIsTheFullOne) {
+  const Model model = compile_scene(write_two_boxes({.shift = 1.7e-3}), std::vector<Override>{{"contact.model", GetParam()}});
+  Scratch scratch(model);
+  cycle(model, {}, pose_at_depth(model, 1.5e-3), scratch);
+  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+    const Body& body = model.bodies[i];
+    const Eigen::Matrix3Xd u =
+        static_solve(stiffness(*body.mesh, body.materials), body.fixed, on_mesh(body, scratch.loads().on_body[i]));
+    const Eigen::VectorXd& found = scratch.displacement(static_cast<int>(i));
+    for (std::size_t t = 0; t < body.compliance->touch.size(); ++t)
+      EXPECT_LT((u.col(body.compliance->touch[t]) - found.segment<3>(3 * static_cast<Eigen::Index>(t))).norm(), 1e-11);
+  }
+}
+
+TEST_P(CycleOfEachLaw, GivesTheSameBitsWhateverCameBefore) {
+  const Model model = compile_scene(write_two_boxes({.shift = 1.7e-3}), std::vector<Override>{{"contact.model", GetParam()}});
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> depth(-1e-3, 3e-3), slant(-0.5e-3, 0.5e-3);
+  Scratch travelled(model);
+  for (int i = 0; i < 50; ++i) {
+    const std::vector<ProbePose> pose{{depth(random) * model.probes[0].direction + Vec3(slant(random), slant(random), 0)}};
+    Scratch fresh(model);
+    const Vec3 here = cycle(model, {}, pose, travelled).probe_forces[0];
+    const Vec3 first_time = cycle(model, {}, pose, fresh).probe_forces[0];
+    EXPECT_EQ(here, first_time);
+    EXPECT_EQ(travelled.displacement(1), fresh.displacement(1));
+  }
+}
+
+TEST_P(CycleOfEachLaw, FeelsNothingOffTheSkinAndForAPoseThatIsNoNumber) {
+  const Model model = compile_scene(write_two_boxes(), std::vector<Override>{{"contact.model", GetParam()}});
+  Scratch scratch(model);
+  EXPECT_EQ(cycle(model, {}, pose_at_depth(model, 0.0), scratch).probe_forces[0], Vec3(Vec3::Zero()));
+  EXPECT_EQ(cycle(model, {}, pose_at_depth(model, -1e-3), scratch).probe_forces[0], Vec3(Vec3::Zero()));
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    const CycleResult result = cycle(model, {}, std::vector<ProbePose>{{Vec3(0, bad, 0)}}, scratch);
+    EXPECT_EQ(result.probe_forces[0], Vec3(Vec3::Zero()));
+    EXPECT_NE(result.solve.stop, Stop::Converged);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Laws, CycleOfEachLaw, testing::Values("none", "sibille", "kuroda"));
+
+TEST(Cycle, WithoutContactTheForceIsLinearInTheDepth) {
+  const Model model = compile_scene(write_two_boxes(), kNone);
+  const auto curve = press(model, 2e-3, 4).curve;
+  for (const PressStep& step : curve)
+    EXPECT_NEAR(normal_force(model.probes[0], step.probe_forces[0]) / step.depth,
+                normal_force(model.probes[0], curve[0].probe_forces[0]) / curve[0].depth, 1e-9 * 1e6);
+}
+
+// A held probe brings the weighted mean of its footprint to where it is, and the body pushes back with what was put on it.
+TEST(Cycle, ThePadMovesItsWeightedMeanAndFeelsTheSumOfItsLoads) {
+  const Model model = compile_scene(write_two_boxes({.probe = "kind = \"pad\"\nradius = \"6 mm\""}), kNone);
+  const Probe& probe = model.probes[0];
+  ASSERT_GE(probe.nodes.size(), 4u);
+  Scratch scratch(model);
+  const Vec3 asked(0.3e-3, -0.2e-3, -1e-3);
+  const Vec3 felt = cycle(model, {}, std::vector<ProbePose>{{asked}}, scratch).probe_forces[0];
+  Vec3 mean = Vec3::Zero(), sum = Vec3::Zero();
+  for (std::size_t i = 0; i < probe.nodes.size(); ++i) {
+    mean += probe.weights[i] * scratch.displacement(0).segment<3>(3 * probe.nodes[i]);
+    sum += scratch.loads().on_body[0].segment<3>(3 * probe.nodes[i]);
+  }
+  EXPECT_LT((mean - asked).norm(), 1e-12);
+  EXPECT_LT((felt + sum).norm(), 1e-9 * felt.norm());
+}
+
+TEST(Cycle, AFreeProbeTakesNoForceAcrossItsDirection) {
+  const Model model = compile_scene(write_two_boxes({.probe = "kind = \"point\"\ntangential = \"free\""}), kNone);
+  Scratch scratch(model);
+  const Vec3 felt = cycle(model, {}, pose_at_depth(model, 1e-3), scratch).probe_forces[0];
+  EXPECT_LT(felt.cross(model.probes[0].direction).norm(), 1e-12 * felt.norm());
+  EXPECT_GT(normal_force(model.probes[0], felt), 0.0);
+}
+
+// Work of the probe's force along a press is the elastic energy u.f/2 that the body stores (no contact: linear).
+TEST(Cycle, TheWorkOfAPressIsTheStoredEnergy) {
+  const Model model = compile_scene(write_two_boxes(), kNone);
+  Scratch scratch(model);
+  const double depth = 1e-3;
+  const CycleResult result = cycle(model, {}, pose_at_depth(model, depth), scratch);
+  const double work = 0.5 * depth * normal_force(model.probes[0], result.probe_forces[0]);
+  const double stored = 0.5 * scratch.displacement(0).dot(scratch.loads().on_body[0]);
+  EXPECT_NEAR(stored / work, 1.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace palpate::sim
