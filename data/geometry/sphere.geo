@@ -3,7 +3,7 @@
 Include "common.geo";
 DefineConstant[
   radius = {20, Name "radius [mm]"},
-  cap_angle = {15, Name "held: to each side of the x axis [degree]"},
+  cap_angle = {18, Name "held: to each side of the x axis [degree]"},
   contact_angle = {60, Name "contact: to each side of the bottom [degree]"},
   bottom = {0.1, Name "z of the lowest point [mm]"},
   size = {10, Name "edge length aimed at [mm]"}
