@@ -1,0 +1,30 @@
+#pragma once
+
+#include "analysis/statistics/result.hpp"
+
+namespace palpate::analysis {
+
+struct BinomialTest {
+  long correct = 0;  // k
+  long trials = 0;   // n
+  double chance = 0.5;
+  Side side = Side::Greater;
+  double proportion = 0.0;  // k/n
+  PValues p{};
+  Interval interval{};  // two-sided, Clopper-Pearson
+  Interval bound{};     // the one that belongs to `side`: one-sided for greater and less
+  Interval wilson{};
+  Method method{};
+};
+
+/// Exact test that each of `trials` independent answers is correct with probability `chance`.
+/// One-sided: P(X >= k) or P(X <= k). Two-sided: the sum of the probabilities of all outcomes that are no
+/// more likely than the one seen ("minlike"), outcomes within 1e-7 of its probability counted as equally
+/// likely, as R's binom.test does; at chance 1/2 that is twice the smaller tail. Throws std::invalid_argument
+/// unless 0 <= correct <= trials, trials >= 1, 0 < chance < 1, 0 < level < 1.
+BinomialTest binomial_test(long correct, long trials, double chance, Side side, double level = 0.95);
+
+/// The p values alone.
+PValues binomial_p(long correct, long trials, double chance);
+
+}  // namespace palpate::analysis

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "analysis/statistics/result.hpp"
+
+namespace palpate::analysis {
+
+/// Interval for a proportion that covers it with at least `level`, whatever it is: the proportions that the
+/// exact binomial tests of both sides, each at (1 - level)/2, do not reject. Source: [ClopperPearson1934].
+Interval clopper_pearson(long correct, long trials, double level = 0.95);
+
+/// Score interval for a proportion: shorter, with a mean coverage near `level` and a least one below it.
+/// Source: [Wilson1927], without continuity correction.
+Interval wilson(long correct, long trials, double level = 0.95);
+
+/// One-sided exact bounds: the interval that belongs to a one-sided test at 1 - level. Greater gives
+/// (lower, 1), Less (0, upper), TwoSided the same as clopper_pearson.
+Interval clopper_pearson_bound(long correct, long trials, Side side, double level = 0.95);
+
+}  // namespace palpate::analysis

@@ -1,0 +1,114 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace palpate::analysis {
+
+// A study as plain tables: what the report reads, and all that it knows. The application fills it from a
+// study file (see conventions of the trial log); analysis/ neither opens files nor knows what a protocol file
+// is.
+
+/// One combination of factor levels, e.g. {"kuroda"} for the factor "contact.model".
+struct Cell {
+  std::string name{};                 // as shown to a reader: "kuroda", or "kuroda, 0.3" with two factors
+  std::vector<std::string> levels{};  // one for each entry of StudyDesign::factors
+};
+
+/// What the protocol fixed before the first answer.
+struct StudyDesign {
+  std::string protocol_name{};
+  std::string protocol_sha256{};  // 64 hexadecimal digits
+  std::string protocol_text{};    // the file as it was run, shown in the report's appendix; may be empty
+  std::string question{};
+  std::string task = "2IFC";
+  std::vector<std::string> conditions{};  // those compared, in the protocol's order: "soft", "hard"
+  std::string correct_condition{};        // the one whose interval is the correct answer
+  std::vector<std::string> factors{};     // "contact.model"; empty: one cell
+  std::vector<Cell> cells{};              // at least one; TrialRow::cell indexes into it
+  int trials_per_examinee_per_cell = 0;   // 0: not fixed (an adaptive procedure)
+  int planned_examinees = 0;
+  std::string procedure = "constant";
+  std::string cell_order = "shuffled";
+  std::string interval_order = "coin";  // "coin": independent fair flips, which the exact binomial test needs
+  int least_presses = 0, most_presses = 0;  // exploration rule; 0: none stated
+  double min_depth_m = 0.0;
+  double max_time_s = 0.0;
+  std::string display_during_interval{};  // "hidden", "probe", "organs"
+  std::string primary = "paired-comparison";
+  double alpha = 0.05;
+  std::string side = "greater";         // "greater", "less", "two-sided"
+  std::string between_models = "none";  // "sign-flip", "wilcoxon", "none"
+};
+
+/// One examinee's sitting.
+struct SessionRow {
+  std::string session{};
+  std::string examinee{};
+  std::string run_mode{};  // "study", "pilot", "practice", "simulated"
+  std::string protocol_sha256{};
+  std::string software_version{};
+  std::string device{};        // "mouse", "simulated observer", ...
+  std::string channel{};       // what carries the stimulus when pseudo_haptic: "pointer lag"; else empty
+  std::string order_source{};  // "operating system" or "seed 42"
+  std::string started_utc{};   // ISO 8601
+  bool pseudo_haptic = false;
+  bool finished = false;  // every scheduled trial answered or voided
+  double force_scale = 1.0;
+  int times_resumed = 0;
+};
+
+/// One presentation within a trial. What was not recorded stays empty.
+struct IntervalRow {
+  int interval = 1;  // 1-based
+  std::string condition{};
+  int n_presses = 0;
+  std::optional<double> exploration_time_s{};
+  std::optional<double> peak_force_n{};
+  std::optional<double> max_depth_m{};
+  std::optional<double>
+      clamped_fraction{};  // share of cycles in which the device's limit cut the force, 0..1
+  std::optional<double> loop_rate_hz{};
+  std::optional<double> loop_p999_ms{};  // 99.9 % of cycles began no later than this after the one before
+  std::optional<long> missed_cycles{};
+};
+
+/// One question. A trial that was not answered yet is not in the table.
+struct TrialRow {
+  std::size_t session = 0;  // index into StudyTable::sessions
+  std::size_t cell = 0;     // index into StudyDesign::cells
+  int block = 1;
+  int trial = 0;                  // 1-based number within the session
+  std::string correct_answer{};   // "1" or "2": the interval of correct_condition; empty: there is no truth
+  std::string response{};         // as answered: "1", "2"
+  std::optional<bool> correct{};  // empty where there is no truth
+  std::optional<double> response_time_s{};
+  bool voided = false;
+  std::string void_reason{};
+  std::vector<IntervalRow> intervals{};
+};
+
+/// Force on the finger over its depth, the mean of all presses under one condition of one cell, resampled by
+/// the application on a common depth axis. The three vectors have one length.
+struct ForceCurve {
+  std::size_t cell = 0;
+  std::string condition{};
+  std::string run_mode{};         // a curve goes only into the report of its own run mode
+  std::vector<double> depth_m{};  // ascending
+  std::vector<double> mean_force_n{};
+  std::vector<double> deviation_n{};  // standard deviation between intervals; may be empty
+  std::size_t intervals = 0;          // presses averaged
+};
+
+struct StudyTable {
+  StudyDesign design{};
+  std::vector<SessionRow> sessions{};
+  std::vector<TrialRow> trials{};
+  std::vector<ForceCurve> curves{};
+  std::vector<std::string>
+      notes{};  // withdrawn examinees and the like, one sentence each, told in the report
+};
+
+}  // namespace palpate::analysis

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "trials/protocol.hpp"
+#include "trials/random.hpp"
+
+namespace palpate::trials {
+
+/// One question as drawn.
+struct Trial {
+  int number = 0;                                 // from 1, within the sitting
+  int block = 0;                                  // from 1: what progress is shown by
+  std::size_t cell = 0;                           // into Protocol::cells
+  std::vector<std::size_t> interval_condition{};  // into Protocol::conditions, one for each interval
+  int correct_interval = 0;                       // from 1
+
+  bool operator==(const Trial&) const = default;
+};
+
+/// The order of one sitting: every cell trials_per_examinee_per_cell times in one random order
+/// (Fisher-Yates), and for each trial a fair coin for which interval comes first. To be stored trial by
+/// trial, never derived again.
+std::vector<Trial> draw_plan(const Protocol& protocol, Generator& generator);
+
+/// Draws the order of intervals of an interrupted trial again; its cell stays.
+Trial redraw(const Protocol& protocol, Trial trial, Generator& generator);
+
+/// How many blocks progress is shown by: at most 4, of equal length to within one trial.
+int block_count(int trials_per_session);
+
+}  // namespace palpate::trials

@@ -1,0 +1,134 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/scene/scene.hpp"
+
+namespace palpate::trials {
+
+/// A named set of scene overrides: `soft`, `hard`.
+struct Condition {
+  std::string name;
+  std::vector<sim::Override> overrides;
+};
+
+/// A scene key that is varied between trials; every combination of the factors' levels is a cell.
+struct Factor {
+  std::string key;                  // "contact.model"
+  std::vector<std::string> levels;  // as a reader sees them: "kuroda"
+  std::vector<std::string> values;  // the same as TOML, as an override takes them: "\"kuroda\""
+};
+
+/// One combination of factor levels.
+struct Cell {
+  std::string name;                 // "kuroda"; "all" where the protocol has no factor
+  std::vector<std::size_t> levels;  // index into each factor's levels
+};
+
+/// One thing that can be felt: a condition in a cell. The overrides are those of the cell, then of the
+/// condition.
+struct Stimulus {
+  std::size_t cell = 0;
+  std::size_t condition = 0;
+  std::vector<sim::Override> overrides;
+};
+
+/// A file that the outcome depends on, as it was when the protocol was read.
+struct FileHash {
+  std::string name;            // "scene", or the body whose mesh it is
+  std::filesystem::path file;  // as found from the working directory
+  std::string sha256;          // 64 hexadecimal digits
+};
+
+enum class DuringInterval { Hidden, Probe, Organs };
+
+/// What an examinee must do in an interval before it counts.
+struct Exploration {
+  int least_presses = 1;
+  int most_presses = 1;
+  double min_depth = 0.0;  // with contact, in every interval [m]
+  double max_time = 0.0;   // [s]
+};
+
+/// What the protocol decides about its analysis beforehand; the words are those of the file.
+struct AnalysisPlan {
+  std::string primary;                        // "paired-comparison"
+  double alpha = 0.05;                        // in (0, 1)
+  std::string side;                           // "greater", "two-sided"
+  std::optional<std::string> between_models;  // "sign-flip", "wilcoxon"
+};
+
+/// A study's design, read and validated. In this version: task 2IFC, constant stimuli, cells shuffled,
+/// intervals by coin flips.
+struct Protocol {
+  std::string name;
+  std::filesystem::path file;        // where it was read
+  std::string text;                  // the file, byte for byte
+  std::string sha256;                // of text
+  std::filesystem::path scene_file;  // as found from the working directory
+  std::string scene_text;
+  std::vector<FileHash> files;  // the scene, then each body's mesh
+
+  std::string question;
+  std::vector<Condition> conditions;  // in the order of the file
+  std::vector<Factor> factors;
+  std::string task = "2IFC";
+  std::array<std::size_t, 2> pair{};  // conditions that are compared, in the order of the file
+  std::size_t correct = 0;            // the one of the pair whose interval is the correct answer
+  std::string procedure = "constant";
+  int trials_per_examinee_per_cell = 0;
+  std::string cell_order = "shuffled";
+  std::string interval_order = "coin";
+  Exploration exploration{};
+  DuringInterval during_interval = DuringInterval::Hidden;
+  int planned_examinees = 0;
+  AnalysisPlan analysis{};
+
+  std::vector<Cell> cells;        // every combination of factor levels, the last factor fastest
+  std::vector<Stimulus> stimuli;  // cell-major: stimulus_index() finds one
+};
+
+/// Intervals of a trial of `protocol`: 2 for 2IFC.
+int intervals_per_trial(const Protocol& protocol);
+
+/// Trials in one sitting: cells times trials per cell.
+int trials_per_session(const Protocol& protocol);
+
+/// Index into Protocol::stimuli.
+std::size_t stimulus_index(const Protocol& protocol, std::size_t cell, std::size_t condition);
+
+/// Fills cells and stimuli from conditions and factors.
+void expand(Protocol& protocol);
+
+/// Reads a protocol file and everything that it names: the scene is loaded with the overrides of every
+/// stimulus and each mesh is hashed (not condensed). Writes nothing. Throws std::invalid_argument,
+/// "FILE:LINE: KEY: what was found, what is accepted": an unknown key or value, a missing or wrong unit, a
+/// plan that cannot be run, conditions that would feel alike, a scene or mesh that is not there, and what the
+/// design knows but this version does not ("not in this version").
+Protocol load_protocol(const std::filesystem::path& file);
+
+/// A protocol by its text alone: validated in itself, but neither scene nor meshes are looked at (scene_text
+/// and files stay empty). For reading the design that a study file holds. Throws as load_protocol() does.
+Protocol parse_protocol(std::string text, const std::filesystem::path& file);
+
+/// The plan in words, for `palpate check`.
+struct PlanSummary {
+  int trials_per_session = 0;
+  int planned_examinees = 0;
+  int trials_per_cell = 0;  // over all planned examinees: what the critical number is for
+  std::vector<std::string> cells;
+  double best_guess =
+      0.0;            // share correct of the best rule that feels nothing, knowing how the order is drawn
+  std::string order;  // how the order is drawn and how predictable it is, a sentence or two
+};
+PlanSummary describe(const Protocol& protocol);
+
+std::string_view to_string(DuringInterval display);
+
+}  // namespace palpate::trials
