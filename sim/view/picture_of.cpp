@@ -8,13 +8,13 @@ namespace {
 
 // What is felt through, what is felt for, and others: told apart by lightness as well as by hue.
 constexpr std::array<Colour, 5> kTissues = {{{0.93F, 0.53F, 0.47F},
-                                             {0.80F, 0.60F, 0.34F},
+                                             {0.87F, 0.68F, 0.43F},
                                              {0.55F, 0.66F, 0.80F},
                                              {0.62F, 0.72F, 0.50F},
                                              {0.70F, 0.56F, 0.74F}}};
 constexpr Colour kSteel{0.62F, 0.66F, 0.71F};
 constexpr Colour kSkin{0.91F, 0.74F, 0.64F};
-constexpr float kTranslucent = 0.34F;
+constexpr float kTranslucent = 0.28F;
 
 DrawnBody drawn_body(const Model& model, int index, const Loads& loads) {
   const auto at = static_cast<std::size_t>(index);

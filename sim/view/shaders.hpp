@@ -39,13 +39,14 @@ void main() {
   float facing = max(dot(n, v), 0.0);
   float rim = pow(1.0 - facing, 3.0);
   vec3 albedo = pow(tint.rgb, vec3(2.2));
-  float diffuse = 0.34 + 0.10 * n.y + 0.62 * max(dot(n, key), 0.0) + 0.20 * max(dot(n, fill), 0.0);
+  float diffuse = 0.42 + 0.05 * n.y + 0.55 * max(dot(n, key), 0.0) + 0.20 * max(dot(n, fill), 0.0);
   float shine = pow(max(dot(n, normalize(key + v)), 0.0), 40.0);
   vec3 light = albedo * diffuse * (1.0 - 0.45 * rim) + vec3(0.16) * shine;
   float opacity = tint.a < 1.0 ? mix(tint.a, 1.0, 0.75 * rim) + 0.25 * shine : 1.0;
 
   vec3 pixels = to_edge / max(fwidth(to_edge), vec3(1e-6));
   float line = 1.0 - smoothstep(0.4, 1.2, min(min(pixels.x, pixels.y), pixels.z));
+  if (!gl_FrontFacing) line = 0.0;
   light *= 1.0 - 0.22 * line;
   gl_FragColor = vec4(pow(light, vec3(1.0 / 2.2)), clamp(opacity + 0.10 * line, 0.0, 1.0));
 }

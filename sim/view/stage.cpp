@@ -83,7 +83,7 @@ std::vector<Vec3> possible_shafts(const Model& model, const Probe& probe) {
     const Vec3 outwards = v.sum() > 0 ? v : Vec3(-v);
     shafts.insert(shafts.end(), {outwards, -outwards});
   }
-  constexpr int kAround = 200;
+  constexpr int kAround = 800;
   const double golden_angle = std::numbers::pi * (3.0 - std::sqrt(5.0));
   for (int i = 0; i < kAround; ++i) {
     const double z = 1.0 - (2.0 * i + 1.0) / kAround, r = std::sqrt(1.0 - z * z);
@@ -99,6 +99,26 @@ double drawn_radius(const Probe& probe, const Body& body, double diagonal) {
   return radius;
 }
 
+/// Straight back where that is free. Else the middle of the opening through which the rod can leave: the mean
+/// of the free directions near the first one found. Else where there is most room.
+/// @return how far the rod can go that way, at most `enough` [m]
+double choose_shaft(const Model& model, const Probe& probe, const Vec3& end, double enough,
+                    ProbeShape& shape) {
+  double best = 0.0;
+  Vec3 mean = Vec3::Zero();
+  for (const Vec3& shaft : possible_shafts(model, probe)) {
+    if (shaft.dot(probe.direction) > 0.1) continue;  // the hand does not reach through what it presses
+    const double free = room_of_rod(model, end, shaft, shape.radius, enough);
+    if (free > best) shape.shaft = shaft;
+    best = std::max(best, free);
+    if (best == enough && shape.shaft == -probe.direction) return best;
+    if (free == enough && shaft.dot(shape.shaft) > 0.5) mean += shaft;
+  }
+  if (best == enough && room_of_rod(model, end, mean.normalized(), shape.radius, enough) == enough)
+    shape.shaft = mean.normalized();
+  return best;
+}
+
 ProbeShape shape_of(const Model& model, const Probe& probe, const Bounds& bounds) {
   const double diagonal = bounds.diagonal(), skin = 1e-3 * diagonal;
   const double behind = room(model, probe.at - skin * probe.direction, -probe.direction);
@@ -106,20 +126,13 @@ ProbeShape shape_of(const Model& model, const Probe& probe, const Bounds& bounds
   shape.radius = std::min(drawn_radius(probe, model.bodies[static_cast<std::size_t>(probe.body)], diagonal),
                           0.45 * behind);
   const Vec3 end = probe.at - (shape.radius + skin) * probe.direction;
-  double best = 0.0;
-  for (const Vec3& shaft : possible_shafts(model, probe)) {
-    if (shaft.dot(probe.direction) > 0.1) continue;  // the hand does not reach through what it presses
-    const double free = room_of_rod(model, end, shaft, shape.radius, diagonal);
-    if (free <= best) continue;
-    best = free;
-    shape.shaft = shaft;
-  }
+  const double free = choose_shaft(model, probe, end, diagonal, shape);
   double leaves_bounds = INFINITY;
   for (int k = 0; k < 3; ++k) {
     const double face = shape.shaft[k] > 0 ? bounds.upper[k] : bounds.lower[k];
     if (shape.shaft[k] != 0.0) leaves_bounds = std::min(leaves_bounds, (face - end[k]) / shape.shaft[k]);
   }
-  shape.length = std::min(best, std::max(0.0, leaves_bounds) + 0.18 * diagonal);
+  shape.length = std::min(free, std::max(0.0, leaves_bounds) + 0.18 * diagonal);
   return shape;
 }
 
@@ -136,7 +149,7 @@ Vec3 looks_from(const Model& model, const std::vector<ProbeShape>& probes) {
   if (side.dot(Vec3(0.3, -1.0, 0.1)) < 0) side = -side;
   Vec3 hand = shaft - shaft.dot(direction) * direction;
   hand = hand.norm() < 0.2 ? Vec3(0.8 * side.cross(direction)) : hand.normalized();
-  return side + 0.75 * hand + 0.42 * up;
+  return side + 0.62 * hand + 0.12 * up;
 }
 
 /// Moves the camera along its line of sight and sideways until all points just fit into the picture.
