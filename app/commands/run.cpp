@@ -16,7 +16,7 @@ namespace palpate::app {
 namespace {
 
 struct Options {
-  std::string protocol, study, examinee;
+  std::string protocol, study, examinee, device;
   bool pilot = false, practice = false, new_session = false, no_browser = false;
   std::uint16_t port = 0;
 };
@@ -28,7 +28,7 @@ trials::SessionFacts facts_of(const Options& options) {
                                          : trials::RunMode::Study,
           .software_version = PALPATE_VERSION,
           .machine = describe_machine(),
-          .device = "mouse",
+          .device = options.device,
           .pseudo_haptic = true,
           .channel = "pointer lag"};
 }
@@ -79,6 +79,9 @@ void add_run(CLI::App& app) {
       ->excludes(pilot);
   command->add_flag("--new-session", options->new_session, "Begin one more session of this examinee");
   command->add_flag("--no-browser", options->no_browser, "Print the link and open nothing");
+  command->add_option("--device", options->device, "What presses; in this version a mouse")
+      ->check(CLI::IsMember({"mouse"}))
+      ->default_val("mouse");
   command->add_option("--port", options->port, "Port on 127.0.0.1 (default: one that is free)");
   command->footer(
       "Without a haptic device the mouse presses: the session is pseudo-haptic and is marked so.\n"

@@ -90,7 +90,6 @@ class Sitting {
   bool connected_ = false;
   std::string notice_;
   std::string onset_utc_;      // of the interval or the question
-  Clock::time_point now_{};    // of the latest poll
   Clock::time_point shown_{};  // of this showing
   Next next_ = Next::Nothing;
   Clock::time_point due_{};
