@@ -14,6 +14,7 @@ find_package(NLopt REQUIRED)
 find_package(Boost 1.74 REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(PNG REQUIRED)
+find_package(pugixml REQUIRED)
 pkg_check_modules(OSMESA REQUIRED IMPORTED_TARGET osmesa)
 
 # SuiteSparse in Debian 12 ships neither a CMake nor a pkg-config file.

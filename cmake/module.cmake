@@ -3,7 +3,7 @@ add_library(palpate_flags INTERFACE)
 target_compile_options(palpate_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # GCC 12 reports false positives from inside Eigen and the standard library at -O2 and above.
-  target_compile_options(palpate_flags INTERFACE -Wno-maybe-uninitialized -Wno-array-bounds
+  target_compile_options(palpate_flags INTERFACE -Wno-uninitialized -Wno-maybe-uninitialized -Wno-array-bounds
                          -Wno-stringop-overflow -Wno-stringop-overread -Wno-restrict)
 endif()
 if(PALPATE_NATIVE AND NOT PALPATE_SANITIZE)

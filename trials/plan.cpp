@@ -26,7 +26,10 @@ int block_count(int trials_per_session) {
 std::vector<Trial> draw_plan(const Protocol& protocol, Generator& generator) {
   std::vector<Trial> plan;
   for (std::size_t cell = 0; cell < protocol.cells.size(); ++cell)
-    for (int i = 0; i < protocol.trials_per_examinee_per_cell; ++i) plan.push_back({.cell = cell});
+    for (int i = 0; i < protocol.trials_per_examinee_per_cell; ++i) {
+      plan.emplace_back();
+      plan.back().cell = cell;
+    }
   for (std::size_t last = plan.size(); last > 1; --last)  // Fisher-Yates
     std::swap(plan[last - 1], plan[generator.below(last)]);
 

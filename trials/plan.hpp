@@ -10,11 +10,11 @@ namespace palpate::trials {
 
 /// One question as drawn.
 struct Trial {
-  int number = 0;                               // from 1, within the sitting
-  int block = 0;                                // from 1: what progress is shown by
-  std::size_t cell = 0;                         // into Protocol::cells
-  std::vector<std::size_t> interval_condition;  // into Protocol::conditions, one for each interval
-  int correct_interval = 0;                     // from 1
+  int number = 0;                                 // from 1, within the sitting
+  int block = 0;                                  // from 1: what progress is shown by
+  std::size_t cell = 0;                           // into Protocol::cells
+  std::vector<std::size_t> interval_condition{};  // into Protocol::conditions, one for each interval
+  int correct_interval = 0;                       // from 1
 
   bool operator==(const Trial&) const = default;
 };

@@ -16,36 +16,37 @@ namespace palpate::trials {
 
 enum class RunMode { Study, Pilot, Practice, Simulated };
 std::string_view to_string(RunMode mode);
+RunMode run_mode_from(std::string_view name);  // throws std::invalid_argument, lists what is accepted
 
 /// What is stored with every sitting about how it was run.
 struct SessionFacts {
-  std::string examinee;  // a code, never a name
+  std::string examinee{};  // a code, never a name
   RunMode run_mode = RunMode::Study;
-  std::string software_version;
-  std::string machine;
-  std::string device;                   // "mouse", "simulated observer"
-  bool pseudo_haptic = false;           // no force reaches the hand
-  std::string channel;                  // what carries the stimulus then: "pointer lag"; else empty
-  Seed seed;                            // of the order; none: the operating system's entropy
-  std::optional<std::string> observer;  // parameters of a simulated examinee, as JSON
+  std::string software_version{};
+  std::string machine{};
+  std::string device{};                   // "mouse", "simulated observer"
+  bool pseudo_haptic = false;             // no force reaches the hand
+  std::string channel{};                  // what carries the stimulus then: "pointer lag"; else empty
+  Seed seed{};                            // of the order; none: the operating system's entropy
+  std::optional<std::string> observer{};  // parameters of a simulated examinee, as JSON
 };
 
 /// The study that a file holds: its identity and the design as it was run.
 struct StudyRow {
-  std::string uuid;
-  std::string created_utc;
-  std::string protocol_name, protocol_text, protocol_sha256;
-  std::string scene_text;
-  std::vector<FileHash> files;
-  std::string software_version;
+  std::string uuid{};
+  std::string created_utc{};
+  std::string protocol_name{}, protocol_text{}, protocol_sha256{};
+  std::string scene_text{};
+  std::vector<FileHash> files{};
+  std::string software_version{};
 };
 
 struct SessionRow {
   std::int64_t id = 0;
   int number = 0;  // of this examinee's sittings, from 1
   SessionFacts facts{};
-  std::string started_utc;
-  std::optional<std::string> ended_utc;  // empty: unfinished
+  std::string started_utc{};
+  std::optional<std::string> ended_utc{};  // empty: unfinished
   int times_resumed = 0;
 };
 
@@ -61,41 +62,54 @@ struct PresentationRow {
   std::int64_t id = 0, session = 0;
   int trial = 0, draw = 0, interval = 0;
   int attempt = 0;  // from 1: counts presentations of this interval of this draw
-  std::string condition;
-  std::string onset_utc;
-  std::string verdict;   // "enough", or why it was shown again
-  bool complete = true;  // false: cut short by an interruption
+  std::string condition{};
+  std::string begun_utc{};
+  std::string onset_utc{};
+  std::string verdict{};  // "enough", or why it was shown again
+  bool complete = true;   // false: cut short by an interruption
   ExplorationSummary exploration{};
   double clamped_fraction = 0.0;
-  std::optional<LoopTiming> loop;
+  std::optional<LoopTiming> loop{};
   std::size_t samples = 0;  // of its trace; load_trace() reads it
-  std::string trace_sha256;
+  std::string trace_sha256{};
 };
 
 struct AnswerRow {
+  std::int64_t entry = 0;  // in the hash chain
   std::int64_t session = 0;
   int trial = 0, draw = 0;
   int response = 0;  // interval, from 1
   bool correct = false;
-  std::optional<double> response_time;  // from the question's onset [s]; a simulated observer has none
-  std::string onset_utc;                // of the question
-  std::string committed_utc;
+  std::optional<double> response_time{};  // from the question's onset [s]; a simulated observer has none
+  std::string onset_utc{};                // of the question
+  std::string committed_utc{};
 };
+
+/// Kinds of events that mean something to this program; others are kept as they are.
+namespace event_kind {
+constexpr std::string_view kVoided = "voided";  // the trial does not count; the text is the reason
+constexpr std::string_view kInterrupted = "interrupted";
+constexpr std::string_view kResumed = "resumed";
+constexpr std::string_view kEnded = "session ended";
+constexpr std::string_view kEarlyKey = "early key";
+constexpr std::string_view kStrategy = "strategy";
+constexpr std::string_view kChecklist = "checklist";
+}  // namespace event_kind
 
 /// Things that happened apart from answers. Append-only, chained with the answers.
 struct EventRow {
-  std::optional<std::int64_t> session;
-  std::optional<int> trial;
-  std::string
-      kind;  // "voided", "early key", "interrupted", "resumed", "strategy", "checklist", "session ended"
-  std::string text;
-  std::string utc;
+  std::int64_t entry = 0;  // in the hash chain; set by the file
+  std::optional<std::int64_t> session{};
+  std::optional<int> trial{};
+  std::string kind{};  // see event_kind
+  std::string text{};
+  std::string utc{};
 };
 
 /// Where the hash chain stands: printed as a receipt at a session's end, "120-9f86d0...".
 struct Receipt {
   std::int64_t entries = 0;
-  std::string head;  // 64 hexadecimal digits
+  std::string head{};  // 64 hexadecimal digits
 
   bool operator==(const Receipt&) const = default;
 };
@@ -150,7 +164,7 @@ StudyFile read_study(const std::filesystem::path& path);
 
 /// What `palpate verify` found.
 struct VerifyReport {
-  std::vector<std::string> problems;  // empty: the file is whole
+  std::vector<std::string> problems{};  // empty: the file is whole
   Receipt receipt{};
   int sessions = 0, answers = 0, presentations = 0, voided = 0;
 };

@@ -33,10 +33,10 @@ struct LoopTiming {
 
 /// One presentation of an interval, from its onset until it was closed.
 struct IntervalRecord {
-  std::string onset_utc;  // ISO 8601, see utc_now()
-  Trace trace;
+  std::string onset_utc{};  // ISO 8601, see utc_now()
+  Trace trace{};
   double clamped_fraction = 0.0;  // share of cycles in which the device's limit cut the force, 0..1
-  std::optional<LoopTiming> loop;
+  std::optional<LoopTiming> loop{};
 };
 
 /// What a trace says about how the body was explored.

@@ -7,6 +7,7 @@ namespace palpate::app {
 // One file a command: <name>.cpp adds its options and what it runs. Bad input is thrown as
 // std::invalid_argument (exit code 1), a machine or device that fails as std::runtime_error or
 // std::system_error (exit code 3).
+void add_check(CLI::App& app);
 void add_press(CLI::App& app);
 void add_stats(CLI::App& app);
 

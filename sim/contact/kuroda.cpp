@@ -14,10 +14,6 @@ Vec3 temporary_displacement(const CollidingPair& pair) {
   return -pair.depth * pair.normal;
 }
 
-bool has_corner(const Triangle& triangle, int node) {
-  return triangle[0] == node || triangle[1] == node || triangle[2] == node;
-}
-
 /// The polygon of A beside node a that faces S most squarely; of two alike the lower number.
 int adjacent_polygon(const Body& body, const BodyMotion& motion, int node, const Vec3& normal_of_s) {
   int adjacent = -1;
@@ -32,28 +28,6 @@ int adjacent_polygon(const Body& body, const BodyMotion& motion, int node, const
     }
   }
   return adjacent;
-}
-
-/// The pair that sees the same collision from B: a node of S that has passed a polygon which has a as a
-/// corner. The deepest; of two alike the first. -1 where B has none.
-int mate(const Model& model, const Pairs& pairs, const CollidingPair& pair) {
-  const Triangle& s = model.bodies[static_cast<std::size_t>(pair.polygon_body)]
-                          .polygons.triangles[static_cast<std::size_t>(pair.polygon)];
-  int found = -1;
-  double deepest = 0.0;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const CollidingPair& other = pairs[i];
-    if (other.touch_pair != pair.touch_pair || other.node_body != pair.polygon_body ||
-        !has_corner(s, other.node))
-      continue;
-    const Triangle& corners = model.bodies[static_cast<std::size_t>(other.polygon_body)]
-                                  .polygons.triangles[static_cast<std::size_t>(other.polygon)];
-    if (has_corner(corners, pair.node) && other.depth > deepest) {
-      deepest = other.depth;
-      found = static_cast<int>(i);
-    }
-  }
-  return found;
 }
 
 void ask_polygon(Scratch::Buffers& buffers, Claims BodyBuffers::*claims, const Model& model, int body,
@@ -108,25 +82,13 @@ double surface_force(const Model& model, const Scratch::Buffers& buffers, int bo
   return std::abs((sum / 3.0).dot(polygon_normal(model.bodies[at], buffers.free_motion[at], polygon)));
 }
 
+/// Resistance of S and of the polygon of A beside a: what the ratio of equations (3) and (4) is made of.
 PairShare share_of(const Model& model, const Scratch::Buffers& buffers, const CollidingPair& pair) {
-  PairShare share;
-  share.polygon_force = surface_force(model, buffers, pair.polygon_body, pair.polygon);
-  const int seen_from_b = mate(model, buffers.pairs, pair);
-  if (seen_from_b >= 0) {
-    const CollidingPair& other = buffers.pairs[static_cast<std::size_t>(seen_from_b)];
-    share.node_force = surface_force(model, buffers, other.polygon_body, other.polygon);
-  } else {
-    const auto node_body = static_cast<std::size_t>(pair.node_body);
-    const int beside =
-        adjacent_polygon(model.bodies[node_body], buffers.free_motion[node_body], pair.node, pair.normal);
-    share.node_force = surface_force(model, buffers, pair.node_body, beside);
-  }
-  const bool polygon_resists_more =
-      share.polygon_force > share.node_force ||
-      (share.polygon_force == share.node_force && pair.polygon_body < pair.node_body);
-  const bool any_force = share.polygon_force + share.node_force > 0.0;
-  share.carried_out = any_force && (seen_from_b < 0 || polygon_resists_more);
-  return share;
+  const auto node_body = static_cast<std::size_t>(pair.node_body);
+  const int beside =
+      adjacent_polygon(model.bodies[node_body], buffers.free_motion[node_body], pair.node, pair.normal);
+  return {.polygon_force = surface_force(model, buffers, pair.polygon_body, pair.polygon),
+          .node_force = surface_force(model, buffers, pair.node_body, beside)};
 }
 
 /// Equations (3) and (4): the node gives way by the polygon's share of the resistance, the polygon by the
@@ -135,6 +97,7 @@ void ask_actual(const Model& model, Scratch::Buffers& buffers, const CollidingPa
                 const PairShare& share) {
   const Vec3 u_temp = temporary_displacement(pair);
   const double sum = share.polygon_force + share.node_force;
+  if (!(sum > 0.0)) return;  // every corner is held by a probe: nothing here can give way
   const Vec3 u_a = -(share.polygon_force / sum) * u_temp;
   const Vec3 u_b = (share.node_force / sum) * u_temp;
   buffers.bodies[static_cast<std::size_t>(pair.node_body)].actual_claims.ask(pair.node, u_a, pair.touch_pair);
@@ -150,7 +113,7 @@ SolveReport kuroda(const Model& model, Scratch::Buffers& buffers) {
   buffers.shares.clear();
   for (const CollidingPair& pair : buffers.pairs) {
     buffers.shares.push_back(share_of(model, buffers, pair));
-    if (buffers.shares.back().carried_out) ask_actual(model, buffers, pair, buffers.shares.back());
+    ask_actual(model, buffers, pair, buffers.shares.back());
   }
   return {};
 }

@@ -1,3 +1,5 @@
+#include <Eigen/Geometry>
+
 #include "sim/contact/laws.hpp"
 
 namespace palpate::sim {

@@ -17,11 +17,10 @@ struct BodyBuffers {
   Eigen::VectorXd temporary_forces;  // for E of the body, 3t [N]
 };
 
-/// How a pair was seen by the law: the share that the node yields and the magnitudes it was made from.
+/// What the shares of a pair are made of: |f_B| and |f_A| of equations (3) and (4).
 struct PairShare {
   double polygon_force = 0.0;  // |f| on the polygon [N]
   double node_force = 0.0;     // |f| on the polygon beside the node [N]
-  bool carried_out = false;
 };
 
 struct Scratch::Buffers {

@@ -41,7 +41,7 @@ int msh_dimension(const Cursor& in, std::int64_t type) {
                                   [&](const RefusedType& refused) { return refused.type == type; });
   const bool named = known != kRefused.end();
   const char* remedy = named && known->higher_order
-                           ? "write the mesh at first order (gmsh FILE -order 1 -save -o OUT.msh)"
+                           ? "mesh again at first order (gmsh FILE.geo -3 -order 1 -o OUT.msh)"
                            : "fill the body with tetrahedra (in Gmsh: no Recombine, no hexahedral layers)";
   in.refuse_last(
       fmt::format("found element type {}{}; points, lines, triangles and 4-node tetrahedra (types 15, "

@@ -61,7 +61,8 @@ void read_section(Cursor& in, const std::string& name, int version, MshContent& 
   } else if (name == "Elements") {
     version == 2 ? read_msh2_elements(in, content) : read_msh4_elements(in, content);
   } else if (name == "PartitionedEntities") {
-    in.refuse_last("the mesh is partitioned; save it in one piece (gmsh FILE -part 0 -save -o OUT.msh)");
+    in.refuse_last(
+        "the mesh is partitioned; one piece is accepted (gmsh FILE -save -format msh22 -o OUT.msh joins it)");
   } else {
     in.skip_past("$End" + name);  // comments, fields, periodicity: nothing that a body needs
     return;

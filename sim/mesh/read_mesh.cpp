@@ -15,7 +15,7 @@
 namespace palpate::sim {
 namespace {
 
-constexpr const char* kAccepted = "Gmsh MSH 2.2 or 4.1 (text or binary) is accepted";
+constexpr const char* kAccepted = "Gmsh MSH 2.2 or 4.1 (text or binary) and VTU are accepted";
 
 std::string read_whole(const std::filesystem::path& file) {
   std::error_code error;
@@ -33,6 +33,11 @@ std::string read_whole(const std::filesystem::path& file) {
   return bytes;
 }
 
+bool looks_like_xml(std::string_view bytes) {
+  const std::size_t start = bytes.find_first_not_of(" \t\r\n");
+  return start != std::string_view::npos && bytes[start] == '<';
+}
+
 }  // namespace
 
 MeshFile parse_mesh(std::string_view bytes, const std::string& name, double metres_per_unit) {
@@ -43,6 +48,7 @@ MeshFile parse_mesh(std::string_view bytes, const std::string& name, double metr
   if (bytes.find_first_not_of(" \t\r\n") == std::string_view::npos)
     throw std::invalid_argument(fmt::format("{}: the file is empty; {}", name, kAccepted));
   if (bytes.starts_with("$MeshFormat")) return mend(parse_msh(bytes, name), name, metres_per_unit);
+  if (looks_like_xml(bytes)) return mend(parse_vtu(bytes, name), name, metres_per_unit);
   throw std::invalid_argument(fmt::format("{}:1: found '{}' at the start; {}", name,
                                           printable(bytes.substr(0, bytes.find('\n'))), kAccepted));
 }

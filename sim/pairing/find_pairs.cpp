@@ -1,5 +1,6 @@
 #include "sim/pairing/find_pairs.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 

@@ -10,8 +10,8 @@ namespace palpate::sim {
 namespace {
 
 /// C_DD^-1 u_D by a dense solve that knows nothing of kept rows.
-Eigen::VectorXd dense_solution(const Model& model, const std::vector<int>& nodes, const Eigen::VectorXd& asked,
-                               bool pressing) {
+Eigen::VectorXd dense_solution(const Model& model, const std::vector<int>& nodes,
+                               const Eigen::VectorXd& asked, bool pressing) {
   const Body& body = model.bodies[0];
   const Probe& probe = model.probes[0];
   const Eigen::Index probe_rows = pressing ? probe.axes.cols() : 0;
@@ -24,7 +24,7 @@ Eigen::VectorXd dense_solution(const Model& model, const std::vector<int>& nodes
   return (g.transpose() * body.compliance->touch_touch * g).llt().solve(asked);
 }
 
-class PrescribedAgainstDense : public testing::TestWithParam<const char*> {};
+class PrescribedAgainstDense : public ::testing::TestWithParam<const char*> {};
 
 // Sets of nodes come and go as in a press; kept rows must never show.
 TEST_P(PrescribedAgainstDense, GivesTheSameForcesWhateverSetCameBefore) {
@@ -34,8 +34,13 @@ TEST_P(PrescribedAgainstDense, GivesTheSameForcesWhateverSetCameBefore) {
   std::vector<Vec3> values(static_cast<std::size_t>(model.bodies[0].rest.cols()));
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = 1e-3 * Vec3::Random();
   ProbeRows rows(1);
-  for (const auto& [pressing, picked] : std::vector<std::pair<bool, std::vector<std::size_t>>>{
-           {true, {2, 5, 9}}, {true, {2, 5, 9, 11}}, {true, {2, 7, 9}}, {false, {2, 7, 9}}, {true, {2, 7, 9}}, {true, {0}}}) {
+  for (const auto& [pressing, picked] :
+       std::vector<std::pair<bool, std::vector<std::size_t>>>{{true, {2, 5, 9}},
+                                                              {true, {2, 5, 9, 11}},
+                                                              {true, {2, 7, 9}},
+                                                              {false, {2, 7, 9}},
+                                                              {true, {2, 7, 9}},
+                                                              {true, {0}}}) {
     rows[0] = {pressing, Vec3(1e-3, 2e-3, -3e-3)};
     std::vector<int> nodes;
     for (const std::size_t i : picked) nodes.push_back(may_touch[i]);
@@ -44,7 +49,8 @@ TEST_P(PrescribedAgainstDense, GivesTheSameForcesWhateverSetCameBefore) {
     Eigen::VectorXd asked(solve.rows());
     for (Eigen::Index i = 0; i < solve.probe_rows(); ++i) asked[i] = rows[0].value[i];
     for (std::size_t i = 0; i < nodes.size(); ++i)
-      asked.segment<3>(solve.probe_rows() + 3 * static_cast<Eigen::Index>(i)) = values[static_cast<std::size_t>(nodes[i])];
+      asked.segment<3>(solve.probe_rows() + 3 * static_cast<Eigen::Index>(i)) =
+          values[static_cast<std::size_t>(nodes[i])];
     const Eigen::VectorXd expected = dense_solution(model, nodes, asked, pressing);
     const Eigen::Map<const Eigen::VectorXd> found(multipliers.data(), solve.rows());
     EXPECT_LT((found - expected).norm(), 1e-10 * expected.norm());
@@ -52,8 +58,8 @@ TEST_P(PrescribedAgainstDense, GivesTheSameForcesWhateverSetCameBefore) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Probes, PrescribedAgainstDense,
-                         testing::Values("kind = \"point\"", "kind = \"point\"\ntangential = \"free\"",
-                                         "kind = \"pad\"\nradius = \"6 mm\""));
+                         ::testing::Values("kind = \"point\"", "kind = \"point\"\ntangential = \"free\"",
+                                           "kind = \"pad\"\nradius = \"6 mm\""));
 
 TEST(Claims, KeepTheLargerDisplacementAndTheFirstOfTwoAlike) {
   Claims claims(4);

@@ -26,30 +26,36 @@ Eigen::Matrix3Xd on_mesh(const Body& body, const Eigen::VectorXd& loads) {
   return forces;
 }
 
-class CycleOfEachLaw : public testing::TestWithParam<const char*> {};
+class CycleOfEachLaw : public ::testing::TestWithParam<const char*> {};
 
-// The loads of a cycle, put on the uncondensed body, must move its touchable nodes to where the cycle says they are.
+// The loads of a cycle, put on the uncondensed body, must move its touchable nodes to where the cycle says
+// they are.
 TEST_P(CycleOfEachLaw, CondensedDeformationIsTheFullOne) {
-  const Model model = compile_scene(write_two_boxes({.shift = 1.7e-3}), std::vector<Override>{{"contact.model", GetParam()}});
+  const Model model =
+      compile_scene(write_two_boxes({.shift = 1.7e-3}), std::vector<Override>{{"contact.model", GetParam()}});
   Scratch scratch(model);
   cycle(model, {}, pose_at_depth(model, 1.5e-3), scratch);
   for (std::size_t i = 0; i < model.bodies.size(); ++i) {
     const Body& body = model.bodies[i];
-    const Eigen::Matrix3Xd u =
-        static_solve(stiffness(*body.mesh, body.materials), body.fixed, on_mesh(body, scratch.loads().on_body[i]));
+    const Eigen::Matrix3Xd u = static_solve(stiffness(*body.mesh, body.materials), body.fixed,
+                                            on_mesh(body, scratch.loads().on_body[i]));
     const Eigen::VectorXd& found = scratch.displacement(static_cast<int>(i));
     for (std::size_t t = 0; t < body.compliance->touch.size(); ++t)
-      EXPECT_LT((u.col(body.compliance->touch[t]) - found.segment<3>(3 * static_cast<Eigen::Index>(t))).norm(), 1e-11);
+      EXPECT_LT(
+          (u.col(body.compliance->touch[t]) - found.segment<3>(3 * static_cast<Eigen::Index>(t))).norm(),
+          1e-11);
   }
 }
 
 TEST_P(CycleOfEachLaw, GivesTheSameBitsWhateverCameBefore) {
-  const Model model = compile_scene(write_two_boxes({.shift = 1.7e-3}), std::vector<Override>{{"contact.model", GetParam()}});
+  const Model model =
+      compile_scene(write_two_boxes({.shift = 1.7e-3}), std::vector<Override>{{"contact.model", GetParam()}});
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> depth(-1e-3, 3e-3), slant(-0.5e-3, 0.5e-3);
   Scratch travelled(model);
   for (int i = 0; i < 50; ++i) {
-    const std::vector<ProbePose> pose{{depth(random) * model.probes[0].direction + Vec3(slant(random), slant(random), 0)}};
+    const std::vector<ProbePose> pose{
+        {depth(random) * model.probes[0].direction + Vec3(slant(random), slant(random), 0)}};
     Scratch fresh(model);
     const Vec3 here = cycle(model, {}, pose, travelled).probe_forces[0];
     const Vec3 first_time = cycle(model, {}, pose, fresh).probe_forces[0];
@@ -63,14 +69,15 @@ TEST_P(CycleOfEachLaw, FeelsNothingOffTheSkinAndForAPoseThatIsNoNumber) {
   Scratch scratch(model);
   EXPECT_EQ(cycle(model, {}, pose_at_depth(model, 0.0), scratch).probe_forces[0], Vec3(Vec3::Zero()));
   EXPECT_EQ(cycle(model, {}, pose_at_depth(model, -1e-3), scratch).probe_forces[0], Vec3(Vec3::Zero()));
-  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     const CycleResult result = cycle(model, {}, std::vector<ProbePose>{{Vec3(0, bad, 0)}}, scratch);
     EXPECT_EQ(result.probe_forces[0], Vec3(Vec3::Zero()));
     EXPECT_NE(result.solve.stop, Stop::Converged);
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Laws, CycleOfEachLaw, testing::Values("none", "sibille", "kuroda"));
+INSTANTIATE_TEST_SUITE_P(Laws, CycleOfEachLaw, ::testing::Values("none", "sibille", "kuroda"));
 
 TEST(Cycle, WithoutContactTheForceIsLinearInTheDepth) {
   const Model model = compile_scene(write_two_boxes(), kNone);
@@ -80,7 +87,8 @@ TEST(Cycle, WithoutContactTheForceIsLinearInTheDepth) {
                 normal_force(model.probes[0], curve[0].probe_forces[0]) / curve[0].depth, 1e-9 * 1e6);
 }
 
-// A held probe brings the weighted mean of its footprint to where it is, and the body pushes back with what was put on it.
+// A held probe brings the weighted mean of its footprint to where it is, and the body pushes back with what
+// was put on it.
 TEST(Cycle, ThePadMovesItsWeightedMeanAndFeelsTheSumOfItsLoads) {
   const Model model = compile_scene(write_two_boxes({.probe = "kind = \"pad\"\nradius = \"6 mm\""}), kNone);
   const Probe& probe = model.probes[0];
@@ -98,14 +106,16 @@ TEST(Cycle, ThePadMovesItsWeightedMeanAndFeelsTheSumOfItsLoads) {
 }
 
 TEST(Cycle, AFreeProbeTakesNoForceAcrossItsDirection) {
-  const Model model = compile_scene(write_two_boxes({.probe = "kind = \"point\"\ntangential = \"free\""}), kNone);
+  const Model model =
+      compile_scene(write_two_boxes({.probe = "kind = \"point\"\ntangential = \"free\""}), kNone);
   Scratch scratch(model);
   const Vec3 felt = cycle(model, {}, pose_at_depth(model, 1e-3), scratch).probe_forces[0];
   EXPECT_LT(felt.cross(model.probes[0].direction).norm(), 1e-12 * felt.norm());
   EXPECT_GT(normal_force(model.probes[0], felt), 0.0);
 }
 
-// Work of the probe's force along a press is the elastic energy u.f/2 that the body stores (no contact: linear).
+// Work of the probe's force along a press is the elastic energy u.f/2 that the body stores (no contact:
+// linear).
 TEST(Cycle, TheWorkOfAPressIsTheStoredEnergy) {
   const Model model = compile_scene(write_two_boxes(), kNone);
   Scratch scratch(model);

@@ -52,7 +52,8 @@ RC_GTEST_PROP(AabbTree, FindsWhatLookingAtEveryPolygonFinds, (unsigned seed)) {
   }
 }
 
-// The nearest point of a convex set is the one whose offset makes no acute angle with the way to any other point of it.
+// The nearest point of a convex set is the one whose offset makes no acute angle with the way to any other
+// point of it.
 RC_GTEST_PROP(NearestOnTriangle, NoCornerLiesOnTheNearSide, (unsigned seed)) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> anywhere(-1.0, 1.0);

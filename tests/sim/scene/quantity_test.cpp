@@ -9,9 +9,9 @@
 namespace palpate::sim {
 namespace {
 
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::ThrowsMessage;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
 
 TEST(Quantity, ReadsEachUnitInSi) {
   EXPECT_DOUBLE_EQ(parse_quantity("5 mm", Dimension::Length), 0.005);
@@ -27,8 +27,9 @@ TEST(Quantity, RefusesAMissingUnit) {
 }
 
 TEST(Quantity, RefusesTheUnitOfAnotherDimension) {
-  EXPECT_THAT([] { parse_quantity("5 MPa", Dimension::Length); },
-              ThrowsMessage<std::invalid_argument>(AllOf(HasSubstr("\"MPa\""), HasSubstr("accepted units: m, cm"))));
+  EXPECT_THAT(
+      [] { parse_quantity("5 MPa", Dimension::Length); },
+      ThrowsMessage<std::invalid_argument>(AllOf(HasSubstr("\"MPa\""), HasSubstr("accepted units: m, cm"))));
 }
 
 TEST(Quantity, RefusesWhatIsNoFiniteNumber) {

@@ -8,17 +8,19 @@
 
 namespace palpate::sim::test {
 
-/// Two boxes one above the other with a gap between, as a scene on disk: the upper one ("upper") is held at its sides and
-/// pressed down by a probe in the middle of its top; the lower one ("lower") stands on its fixed bottom.
+/// Two boxes one above the other with a gap between, as a scene on disk: the upper one ("upper") is held at
+/// its sides and pressed down by a probe in the middle of its top; the lower one ("lower") stands on its
+/// fixed bottom.
 struct TwoBoxes {
-  int divisions = 6;             // of the lower box along x and y
-  int upper_divisions = 6;       // of the upper box
-  double gap = 0.2e-3;           // [m]
-  double shift = 0.0;            // of the upper box along x and y [m], so that nodes need not face nodes
+  int divisions = 6;        // of the lower box along x and y
+  int upper_divisions = 6;  // of the upper box
+  double gap = 0.2e-3;      // [m]
+  double shift = 0.0;       // of the upper box along x and y [m], so that nodes need not face nodes
   std::string probe = "kind = \"point\"";
 };
 
-/// Writes meshes and scene into a fresh folder and gives the scene's path. The folder goes with the process's end.
+/// Writes meshes and scene into a fresh folder and gives the scene's path. The folder goes with the process's
+/// end.
 std::filesystem::path write_two_boxes(const TwoBoxes& boxes = {});
 
 /// Compiles a scene with a cache in memory only.

@@ -1,0 +1,142 @@
+#include "sim/elasticity/supports.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cassert>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+namespace palpate::sim {
+namespace {
+
+struct Piece {
+  int first_node = 0;
+  int nodes = 0;
+  std::vector<int> fixed;
+};
+
+std::vector<Piece> pieces_of(const NodeGraph& graph, std::span<const int> fixed) {
+  const std::vector<int> piece_of_node = connected_pieces(graph);
+  std::vector<Piece> pieces;
+  for (int node = 0; node < graph.nodes(); ++node) {
+    const auto piece = static_cast<std::size_t>(piece_of_node[static_cast<std::size_t>(node)]);
+    if (piece == pieces.size()) pieces.push_back({.first_node = node, .nodes = 0, .fixed = {}});
+    ++pieces[piece].nodes;
+  }
+  for (const int node : fixed)
+    pieces[static_cast<std::size_t>(piece_of_node[static_cast<std::size_t>(node)])].fixed.push_back(node);
+  return pieces;
+}
+
+[[noreturn]] void refuse(const Piece& piece, std::size_t pieces, int free_motions, const std::string& why) {
+  const std::string where =
+      pieces == 1 ? "" : fmt::format(" of the piece of {} nodes with node {}", piece.nodes, piece.first_node);
+  throw std::invalid_argument(
+      fmt::format("supports leave {} of 6 rigid motions{} free: {}; fix three nodes or more that are not on "
+                  "one line (nodes counted from 0)",
+                  free_motions, where, why));
+}
+
+void require_enough_nodes(const std::vector<Piece>& pieces) {
+  for (const Piece& piece : pieces) {
+    if (static_cast<int>(piece.fixed.size()) == piece.nodes) continue;
+    if (piece.fixed.empty()) refuse(piece, pieces.size(), 6, "no node is fixed");
+    if (piece.fixed.size() == 1)
+      refuse(piece, pieces.size(), 3,
+             fmt::format("1 fixed node ({}) holds translations only", piece.fixed[0]));
+    if (piece.fixed.size() == 2)
+      refuse(piece, pieces.size(), 1,
+             fmt::format("2 fixed nodes ({} and {}) leave the rotation about the line through them",
+                         piece.fixed[0], piece.fixed[1]));
+  }
+}
+
+/// Whether the nodes lie on one line to within the rounding of their coordinates. The nodes are distinct.
+bool on_one_line(const std::vector<Vec3>& at, const std::vector<int>& nodes) {
+  const auto place = [&](int node) -> const Vec3& { return at[static_cast<std::size_t>(node)]; };
+  const Vec3& start = place(nodes[0]);
+  const int far = *std::max_element(nodes.begin(), nodes.end(), [&](int a, int b) {
+    return (place(a) - start).squaredNorm() < (place(b) - start).squaredNorm();
+  });
+  const Vec3 along = place(far) - start;
+  double off_line = 0.0, largest_coordinate = 0.0;
+  for (const int node : nodes) {
+    off_line = std::max(off_line, along.normalized().cross(place(node) - start).norm());
+    largest_coordinate = std::max(largest_coordinate, place(node).cwiseAbs().maxCoeff());
+  }
+  // Below this a support is a hinge for any purpose: its stiffness is under K's own rounding error.
+  return off_line <= 1e-8 * along.norm() + 16 * std::numeric_limits<double>::epsilon() * largest_coordinate;
+}
+
+NodeGraph make_graph(int nodes, std::vector<std::pair<int, int>>& edges) {
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  NodeGraph graph;
+  graph.begin.assign(static_cast<std::size_t>(nodes) + 1, 0);
+  graph.neighbour.reserve(edges.size());
+  for (const auto& [from, to] : edges) {
+    ++graph.begin[static_cast<std::size_t>(from) + 1];
+    graph.neighbour.push_back(to);
+  }
+  for (std::size_t i = 1; i < graph.begin.size(); ++i) graph.begin[i] += graph.begin[i - 1];
+  return graph;
+}
+
+}  // namespace
+
+NodeGraph node_graph(const Eigen::SparseMatrix<double>& K) {
+  assert(K.rows() == K.cols() && K.cols() % 3 == 0);
+  std::vector<std::pair<int, int>> edges;
+  for (int column = 0; column < K.outerSize(); ++column)
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(K, column); entry; ++entry) {
+      const int from = column / 3, to = static_cast<int>(entry.row()) / 3;
+      if (from != to && (edges.empty() || edges.back() != std::pair(from, to))) edges.emplace_back(from, to);
+    }
+  return make_graph(static_cast<int>(K.cols() / 3), edges);
+}
+
+std::vector<int> connected_pieces(const NodeGraph& graph) {
+  std::vector<int> piece(static_cast<std::size_t>(graph.nodes()), -1), reached;
+  int pieces = 0;
+  for (int start = 0; start < graph.nodes(); ++start) {
+    if (piece[static_cast<std::size_t>(start)] >= 0) continue;
+    piece[static_cast<std::size_t>(start)] = pieces;
+    reached.assign(1, start);
+    while (!reached.empty()) {
+      const auto node = static_cast<std::size_t>(reached.back());
+      reached.pop_back();
+      for (int k = graph.begin[node]; k < graph.begin[node + 1]; ++k) {
+        const int next = graph.neighbour[static_cast<std::size_t>(k)];
+        if (piece[static_cast<std::size_t>(next)] >= 0) continue;
+        piece[static_cast<std::size_t>(next)] = pieces;
+        reached.push_back(next);
+      }
+    }
+    ++pieces;
+  }
+  return piece;
+}
+
+void require_supports(const NodeGraph& graph, std::span<const int> fixed) {
+  require_enough_nodes(pieces_of(graph, fixed));
+}
+
+void require_supports(const TetMesh& mesh, std::span<const int> fixed) {
+  std::vector<std::pair<int, int>> edges;
+  for (const Tetrahedron& corners : mesh.tetrahedra)
+    for (const int a : corners)
+      for (const int b : corners)
+        if (a != b) edges.emplace_back(a, b);
+  const std::vector<Piece> pieces = pieces_of(make_graph(static_cast<int>(mesh.nodes.size()), edges), fixed);
+  require_enough_nodes(pieces);
+  for (const Piece& piece : pieces)
+    if (static_cast<int>(piece.fixed.size()) < piece.nodes && on_one_line(mesh.nodes, piece.fixed))
+      refuse(piece, pieces.size(), 1,
+             fmt::format("its {} fixed nodes lie on one line and leave the rotation about it",
+                         piece.fixed.size()));
+}
+
+}  // namespace palpate::sim

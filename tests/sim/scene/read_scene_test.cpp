@@ -1,0 +1,116 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include "sim/scene/scene.hpp"
+#include "tests/sim/support/two_boxes.hpp"
+
+namespace palpate::sim {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+/// The scene of two boxes with one piece of its text replaced.
+std::filesystem::path scene_with(const std::string& old_text, const std::string& new_text) {
+  const auto file = test::write_two_boxes();
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  std::string changed = text.str();
+  const auto at = changed.find(old_text);
+  EXPECT_NE(at, std::string::npos) << old_text;
+  changed.replace(at, old_text.size(), new_text);
+  std::ofstream(file) << changed;
+  return file;
+}
+
+TEST(LoadScene, ReadsBodiesContactAndProbeInSi) {
+  const Scene scene = load_scene(test::write_two_boxes());
+  ASSERT_EQ(scene.bodies.size(), 2u);
+  EXPECT_EQ(scene.bodies[0].name, "upper");
+  EXPECT_DOUBLE_EQ(scene.bodies[1].material.young_modulus, 1e6);
+  EXPECT_DOUBLE_EQ(scene.bodies[0].material.poisson_ratio, 0.40);
+  EXPECT_EQ(scene.contact.model, ContactModel::Kuroda);
+  EXPECT_DOUBLE_EQ(scene.probes[0].depth, 2e-3);
+  EXPECT_EQ(scene.probes[0].direction, Vec3(0, 0, -1));
+}
+
+TEST(LoadScene, PutsReplacementsInPlaceOfWhatTheFileSays) {
+  const Scene scene =
+      load_scene(test::write_two_boxes(), std::vector<Override>{{"bodies.lower.young_modulus", "5.0 MPa"},
+                                                                {"bodies.lower.present", "false"},
+                                                                {"contact.model", "\"sibille\""}});
+  EXPECT_DOUBLE_EQ(scene.bodies[1].material.young_modulus, 5e6);
+  EXPECT_FALSE(scene.bodies[1].present);
+  EXPECT_EQ(scene.contact.model, ContactModel::Sibille);
+}
+
+struct Refusal {
+  std::string name, old_text, new_text, message;
+};
+class RefusedScene : public ::testing::TestWithParam<Refusal> {};
+
+TEST_P(RefusedScene, SaysWhereWhatAndWhatIsAccepted) {
+  const Refusal& refusal = GetParam();
+  const auto file = scene_with(refusal.old_text, refusal.new_text);
+  EXPECT_THAT([&] { load_scene(file); }, ThrowsMessage<std::invalid_argument>(
+                                             AllOf(HasSubstr("scene.toml"), HasSubstr(refusal.message))));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Bad, RefusedScene,
+    ::testing::Values(
+        Refusal{"UnknownKey", "touchable = \"z_min\"", "touchabel = \"z_min\"",
+                "scene.toml:8: bodies.upper.touchabel: unknown key; accepted here:"},
+        Refusal{"NoUnit", "\"1 MPa\"", "\"1\"",
+                "scene.toml:5: bodies.upper.young_modulus: \"1\" has no unit"},
+        Refusal{"NumberForQuantity", "\"1 MPa\"", "1.0", "accepted: a quantity with its unit"},
+        Refusal{"PoissonOneHalf", "0.40", "0.5", "bodies.upper.poisson_ratio: found 0.5"},
+        Refusal{"PoissonBelow", "0.40", "-1.0", "bodies.upper.poisson_ratio: found -1"},
+        Refusal{"PoissonNaN", "0.40", "nan", "bodies.upper.poisson_ratio: found nan"},
+        Refusal{"NegativeModulus", "\"1 MPa\"", "\"-1 MPa\"", "bodies.upper.young_modulus: found -1000000"},
+        Refusal{"UnknownBody", "[[\"upper\", \"lower\"]]", "[[\"upper\", \"liver\"]]",
+                "\"liver\" is no body"},
+        Refusal{"TouchesItself", "[[\"upper\", \"lower\"]]", "[[\"upper\", \"upper\"]]", "touches itself"},
+        Refusal{"UnknownModel", "\"kuroda\"", "\"penalty\"", "accepted: none, sibille, kuroda"},
+        Refusal{"LaterModel", "\"kuroda\"", "\"exact\"", "not in this version"},
+        Refusal{"LaterEffect", "model = \"kuroda\"", "model = \"kuroda\"\nfriction = 0.3",
+                "calls for friction"},
+        Refusal{"NoDirection", "[0, 0, -1]", "[0, 0, 0]", "has no length"},
+        Refusal{"PointWithRadius", "kind = \"point\"", "kind = \"point\"\nradius = \"3 mm\"",
+                "a point has no radius"},
+        Refusal{"PadWithoutRadius", "kind = \"point\"", "kind = \"pad\"", "a pad needs a radius"},
+        Refusal{"BrokenToml", "[contact]", "[contact", "no valid TOML"}),
+    [](const auto& refusal) { return refusal.param.name; });
+
+TEST(LoadScene, NamesAMissingFile) {
+  EXPECT_THAT([] { load_scene("no/such/scene.toml"); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr("no/such/scene.toml: no such file")));
+}
+
+TEST(Compile, NamesTheGroupsThatAMeshHas) {
+  const auto file = scene_with("fixed = \"sides\"", "fixed = \"sacrum\"");
+  EXPECT_THAT([&] { test::compile_scene(file); },
+              ThrowsMessage<std::invalid_argument>(AllOf(
+                  HasSubstr("bodies.upper.fixed"), HasSubstr("no group \"sacrum\""), HasSubstr("z_min"))));
+}
+
+TEST(Compile, RefusesBodiesThatOverlapAtRest) {
+  const auto file = test::write_two_boxes({.gap = -1e-3, .shift = 1.7e-3});
+  EXPECT_THAT([&] { test::compile_scene(file); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr("upper and lower overlap at rest by 1 mm")));
+}
+
+TEST(Compile, RefusesAProbeOnASupport) {
+  const auto file = scene_with("kind = \"point\"\nat = [\"0.015 m\", \"0.015 m\"",
+                               "kind = \"point\"\nat = [\"0 m\", \"0 m\"");
+  EXPECT_THAT([&] { test::compile_scene(file); },
+              ThrowsMessage<std::invalid_argument>(AllOf(HasSubstr("probes.finger"), HasSubstr("is fixed"))));
+}
+
+}  // namespace
+}  // namespace palpate::sim

@@ -1,0 +1,93 @@
+#include "tests/sim/support/two_boxes.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <fstream>
+
+#include "sim/compliance/cache.hpp"
+#include "sim/mesh/write_msh.hpp"
+#include "tests/sim/support/box_mesh.hpp"
+
+namespace palpate::sim::test {
+namespace {
+
+/// A folder under the system's temporary one that goes when the process ends.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "palpate-test-XXXXXX").string();
+    path_ = ::mkdtemp(name.data());
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+std::filesystem::path fresh_folder() {
+  static const TemporaryFolder all;
+  static int count = 0;
+  const auto folder = all.path() / std::to_string(++count);
+  std::filesystem::create_directory(folder);
+  return folder;
+}
+
+/// The box's side faces as one group, so that a scene can hold all four.
+TetMesh with_sides(TetMesh mesh) {
+  mesh.node_groups["sides"] = nodes_of(mesh, {"x_min", "x_max", "y_min", "y_max"});
+  return mesh;
+}
+
+constexpr const char* kScene = R"(name = "two boxes"
+[bodies.upper]
+mesh = "upper.msh"
+length_unit = "m"
+young_modulus = "1 MPa"
+poisson_ratio = 0.40
+fixed = "sides"
+touchable = "z_min"
+offset = ["{shift} m", "{shift} m", "{top} m"]
+[bodies.lower]
+mesh = "lower.msh"
+length_unit = "m"
+young_modulus = "1 MPa"
+poisson_ratio = 0.40
+fixed = "z_min"
+touchable = "z_max"
+[contact]
+touch = [["upper", "lower"]]
+model = "kuroda"
+[probes.finger]
+body = "upper"
+{probe}
+at = ["{middle} m", "{middle} m", "{upper_top} m"]
+direction = [0, 0, -1]
+depth = "2 mm"
+)";
+
+}  // namespace
+
+std::filesystem::path write_two_boxes(const TwoBoxes& boxes) {
+  const auto folder = fresh_folder();
+  const double side = 30e-3, height = 20e-3, thickness = 5e-3;  // [m]
+  write_msh(folder / "upper.msh", with_sides(box_mesh(boxes.upper_divisions, boxes.upper_divisions, 2,
+                                                      Vec3(side, side, thickness))));
+  write_msh(folder / "lower.msh", box_mesh(boxes.divisions, boxes.divisions, 4, Vec3(side, side, height)));
+  std::ofstream(folder / "scene.toml")
+      << fmt::format(kScene, fmt::arg("shift", boxes.shift), fmt::arg("top", height + boxes.gap),
+                     fmt::arg("probe", boxes.probe), fmt::arg("middle", side / 2 + boxes.shift),
+                     fmt::arg("upper_top", height + boxes.gap + thickness));
+  return folder / "scene.toml";
+}
+
+Model compile_scene(const std::filesystem::path& scene, std::span<const Override> overrides) {
+  ComplianceCache cache({});
+  return compile(load_scene(scene, overrides), cache);
+}
+
+}  // namespace palpate::sim::test

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "trials/store/connection.hpp"
+#include "trials/study_file.hpp"
+
+namespace palpate::trials {
+
+struct LedgerEntry {
+  std::int64_t entry = 0;
+  std::string previous_hash, hash;
+};
+
+/// The hash that the first entry builds on: it ties the chain to this very study.
+std::string genesis(const StudyRow& study);
+
+/// Hash of an entry: SHA-256 of the previous one's hash and the entry's text.
+std::string chain_hash(std::string_view previous_hash, std::string_view text);
+
+// What is hashed: every value that a reader relies on, one a line, doubles with all their digits. An answer's
+// text holds the sitting, the trial as drawn and what was felt, so that none of these can be altered later
+// either.
+std::string canonical_text(const Protocol& design, const SessionRow& session, const DrawnTrial& trial,
+                           const std::vector<PresentationRow>& felt, const AnswerRow& answer);
+std::string canonical_text(const EventRow& event);
+
+/// The chain over answers and events.
+class LedgerStore {
+ public:
+  explicit LedgerStore(SQLite::Database& database) : database_(database) {}
+
+  Receipt head(const StudyRow& study) const;
+  /// Appends an entry and returns its number. Call it inside the transaction that adds the row it stands for.
+  std::int64_t append(const StudyRow& study, std::string_view text);
+  std::vector<LedgerEntry> all() const;
+
+ private:
+  SQLite::Database& database_;
+};
+
+}  // namespace palpate::trials

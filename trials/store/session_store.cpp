@@ -1,0 +1,48 @@
+#include "trials/store/session_store.hpp"
+
+#include <fmt/format.h>
+
+namespace palpate::trials {
+
+std::int64_t SessionStore::add(const SessionRow& session) {
+  const SessionFacts& facts = session.facts;
+  const auto seed = facts.seed ? std::optional(fmt::format("{}", *facts.seed)) : std::nullopt;
+  Query(database_,
+        "INSERT INTO session (examinee, number, run_mode, started_utc, software_version, machine, device, "
+        "pseudo_haptic, channel, seed, observer) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+        facts.examinee, session.number, std::string(to_string(facts.run_mode)), session.started_utc,
+        facts.software_version, facts.machine, facts.device, facts.pseudo_haptic, facts.channel, seed,
+        facts.observer)
+      .run();
+  return database_.getLastInsertRowid();
+}
+
+std::vector<SessionRow> SessionStore::all() const {
+  std::vector<SessionRow> sessions;
+  Query rows(database_,
+             "SELECT id, examinee, number, run_mode, started_utc, software_version, machine, device, "
+             "pseudo_haptic, channel, seed, observer, "
+             "(SELECT max(utc) FROM event WHERE event.session = session.id AND kind = 'session ended'), "
+             "(SELECT count(*) FROM event WHERE event.session = session.id AND kind = 'resumed') "
+             "FROM session ORDER BY id");
+  while (rows.next()) {
+    SessionRow session{.id = rows.integer(0), .number = rows.number(2)};
+    session.facts = {.examinee = rows.text(1),
+                     .run_mode = run_mode_from(rows.text(3)),
+                     .software_version = rows.text(5),
+                     .machine = rows.text(6),
+                     .device = rows.text(7),
+                     .pseudo_haptic = rows.number(8) != 0,
+                     .channel = rows.text(9),
+                     .seed = {},
+                     .observer = rows.optional_text(11)};
+    if (const auto seed = rows.optional_text(10)) session.facts.seed = std::stoull(*seed);
+    session.started_utc = rows.text(4);
+    session.ended_utc = rows.optional_text(12);
+    session.times_resumed = rows.number(13);
+    sessions.push_back(std::move(session));
+  }
+  return sessions;
+}
+
+}  // namespace palpate::trials

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <utility>
+
+#include "trials/store/answer_store.hpp"
+#include "trials/store/connection.hpp"
+#include "trials/store/event_store.hpp"
+#include "trials/store/ledger_store.hpp"
+#include "trials/store/presentation_store.hpp"
+#include "trials/store/session_store.hpp"
+#include "trials/store/study_store.hpp"
+#include "trials/store/trial_store.hpp"
+#include "trials/study_file.hpp"
+
+namespace palpate::trials {
+
+/// An open database with one store a table. Kept behind a pointer: stores refer to the database beside them.
+struct StudyFile::Stores {
+  Stores(std::filesystem::path file, SQLite::Database opened)
+      : path(std::move(file)),
+        database(std::move(opened)),
+        study(StudyStore(database).get()),
+        design(parse_protocol(study.protocol_text, path)) {}
+
+  std::filesystem::path path;
+  SQLite::Database database;
+  StudyRow study;
+  Protocol design;
+  SessionStore sessions{database};
+  TrialStore trials{database, design};
+  PresentationStore presentations{database};
+  LedgerStore ledger{database};
+  AnswerStore answers{database};
+  EventStore events{database};
+
+  /// Adds an event to the chain; inside a transaction of the caller's.
+  void append(const EventRow& event) { events.add(ledger.append(study, canonical_text(event)), event); }
+};
+
+}  // namespace palpate::trials
