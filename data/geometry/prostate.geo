@@ -30,7 +30,7 @@ Surface Loop(1) = {s()};
 Volume(1) = {1};
 Physical Volume("prostate") = {1};
 Physical Surface("contact") = {s(0)};
-Physical Surface("free") = {s(1)};
+Physical Surface("side") = {s(1)};
 Physical Surface("fixed") = {s(2)};
 
 // Points every size apart on the surface, fewer inside.

@@ -5,10 +5,11 @@ DefineConstant[
   inner_radius = {12, Name "radius of the lumen [mm]"},
   wall = {4, Name "thickness of the wall [mm]"},
   length = {60, Name "length [mm]"},
-  contact_angle = {75, Name "contact: to each side of the top [degree]"},
-  margin = {6, Name "contact: free of it at each end [mm]"},
-  sacral_angle = {24, Name "held by the sacrum: to each side of the bottom [degree]"},
-  size = {6.6, Name "edge length aimed at [mm]"}
+  contact_angle = {80, Name "contact: to each side of the top [degree]"},
+  margin = {7.5, Name "contact: free of it at each end [mm]"},
+  sacral_angle = {23, Name "held by the sacrum: to each side of the bottom [degree]"},
+  size = {8.3, Name "edge length aimed at on the outer wall [mm]"},
+  lumen_size = {8, Name "edge length aimed at on the lumen [mm]"}
 ];
 inner = inner_radius * mm;
 outer_radius = (inner_radius + wall) * mm;
@@ -44,5 +45,9 @@ Physical Volume("rectum") = Volume{:};
 Physical Surface("contact") = contact_faces();
 Physical Surface("fixed") = {strip_faces(), end_faces()};
 Physical Surface("lumen") = lumen_faces();
-Mesh.MeshSizeMin = size * mm;
-Mesh.MeshSizeMax = size * mm;
+side_faces() = Surface{:};
+side_faces() -= {contact_faces(), strip_faces(), end_faces(), lumen_faces()};
+Physical Surface("side") = side_faces();
+
+MeshSize{ PointsOf{ Volume{:}; } } = size * mm;
+MeshSize{ PointsOf{ Surface{lumen_faces()}; } } = lumen_size * mm;

@@ -15,7 +15,7 @@ namespace palpate::sim {
 /// Compliances kept in memory and on disk under the SHA-256 of all that they depend on (format version, mesh,
 /// materials, supports, touched and drawn nodes). A file that is truncated, altered or of another version is
 /// found by its checksum, and made anew. A folder that cannot be written costs the saving of time, never the
-/// run.
+/// run. Several caches, in threads or processes, may share a folder; one cache belongs to one thread.
 class ComplianceCache {
  public:
   /// @param folder  empty: memory only
@@ -24,12 +24,25 @@ class ComplianceCache {
   /// The folder that the program uses: $PALPATE_CACHE, else $XDG_CACHE_HOME/palpate, else ~/.cache/palpate.
   static std::filesystem::path default_folder();
 
+  /// Where the last compliance came from, and what went wrong on the way without stopping the run.
+  struct Event {
+    enum class Source { Memory, Disk, Built } source = Source::Built;
+    std::string
+        trouble;  // a sentence for the user: a file that was refused or could not be written; or empty
+  };
+
+  /// The compliance of the supported body, from memory, disk or condense(stiffness(mesh, materials), ...).
+  /// Bodies of one material have it at E = 1 Pa, so that a change of stiffness finds the same entry.
+  /// Throws std::invalid_argument as stiffness() and condense() do.
   std::shared_ptr<const Compliance> get(const TetMesh& mesh, std::span<const Material> materials,
                                         std::span<const int> fixed, std::span<const int> touch,
                                         std::span<const int> drawn);
 
+  const Event& last_event() const { return last_event_; }
+
  private:
   std::filesystem::path folder_;
+  Event last_event_;
   std::map<std::string, std::shared_ptr<const Compliance>> in_memory_;
 };
 

@@ -5,8 +5,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cassert>
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace palpate::sim {
@@ -18,7 +20,16 @@ struct Piece {
   std::vector<int> fixed;
 };
 
+/// The pieces of a body and what its file calls the nodes (empty: they are counted from 0).
+struct Body {
+  std::vector<Piece> pieces;
+  std::span<const std::int64_t> tags;
+
+  std::int64_t name(int node) const { return tags.empty() ? node : tags[static_cast<std::size_t>(node)]; }
+};
+
 std::vector<Piece> pieces_of(const NodeGraph& graph, std::span<const int> fixed) {
+  assert(std::is_sorted(fixed.begin(), fixed.end()));
   const std::vector<int> piece_of_node = connected_pieces(graph);
   std::vector<Piece> pieces;
   for (int node = 0; node < graph.nodes(); ++node) {
@@ -31,26 +42,29 @@ std::vector<Piece> pieces_of(const NodeGraph& graph, std::span<const int> fixed)
   return pieces;
 }
 
-[[noreturn]] void refuse(const Piece& piece, std::size_t pieces, int free_motions, const std::string& why) {
+[[noreturn]] void refuse(const Body& body, const Piece& piece, int free_motions, const std::string& why) {
   const std::string where =
-      pieces == 1 ? "" : fmt::format(" of the piece of {} nodes with node {}", piece.nodes, piece.first_node);
-  throw std::invalid_argument(
-      fmt::format("supports leave {} of 6 rigid motions{} free: {}; fix three nodes or more that are not on "
-                  "one line (nodes counted from 0)",
-                  free_motions, where, why));
+      body.pieces.size() == 1
+          ? ""
+          : fmt::format(" of one of the body's {} pieces (the one of {} nodes with node {})",
+                        body.pieces.size(), piece.nodes, body.name(piece.first_node));
+  throw std::invalid_argument(fmt::format(
+      "supports leave {} of 6 rigid motions{} free: {}; fix three nodes or more that are not on one line{}",
+      free_motions, where, why, body.tags.empty() ? " (nodes are counted from 0)" : ""));
 }
 
-void require_enough_nodes(const std::vector<Piece>& pieces) {
-  for (const Piece& piece : pieces) {
-    if (static_cast<int>(piece.fixed.size()) == piece.nodes) continue;
-    if (piece.fixed.empty()) refuse(piece, pieces.size(), 6, "no node is fixed");
-    if (piece.fixed.size() == 1)
-      refuse(piece, pieces.size(), 3,
-             fmt::format("1 fixed node ({}) holds translations only", piece.fixed[0]));
-    if (piece.fixed.size() == 2)
-      refuse(piece, pieces.size(), 1,
-             fmt::format("2 fixed nodes ({} and {}) leave the rotation about the line through them",
-                         piece.fixed[0], piece.fixed[1]));
+void require_enough_nodes(const Body& body) {
+  for (const Piece& piece : body.pieces) {
+    const std::vector<int>& fixed = piece.fixed;
+    if (static_cast<int>(fixed.size()) == piece.nodes) continue;
+    if (fixed.empty()) refuse(body, piece, 6, "no node is fixed");
+    if (fixed.size() == 1)
+      refuse(body, piece, 3,
+             fmt::format("1 fixed node (node {}) holds translations only", body.name(fixed[0])));
+    if (fixed.size() == 2)
+      refuse(body, piece, 1,
+             fmt::format("2 fixed nodes (nodes {} and {}) leave the rotation about the line through them",
+                         body.name(fixed[0]), body.name(fixed[1])));
   }
 }
 
@@ -121,7 +135,7 @@ std::vector<int> connected_pieces(const NodeGraph& graph) {
 }
 
 void require_supports(const NodeGraph& graph, std::span<const int> fixed) {
-  require_enough_nodes(pieces_of(graph, fixed));
+  require_enough_nodes({.pieces = pieces_of(graph, fixed), .tags = {}});
 }
 
 void require_supports(const TetMesh& mesh, std::span<const int> fixed) {
@@ -130,11 +144,12 @@ void require_supports(const TetMesh& mesh, std::span<const int> fixed) {
     for (const int a : corners)
       for (const int b : corners)
         if (a != b) edges.emplace_back(a, b);
-  const std::vector<Piece> pieces = pieces_of(make_graph(static_cast<int>(mesh.nodes.size()), edges), fixed);
-  require_enough_nodes(pieces);
-  for (const Piece& piece : pieces)
+  const NodeGraph graph = make_graph(static_cast<int>(mesh.nodes.size()), edges);
+  const Body body{.pieces = pieces_of(graph, fixed), .tags = mesh.node_tags};
+  require_enough_nodes(body);
+  for (const Piece& piece : body.pieces)
     if (static_cast<int>(piece.fixed.size()) < piece.nodes && on_one_line(mesh.nodes, piece.fixed))
-      refuse(piece, pieces.size(), 1,
+      refuse(body, piece, 1,
              fmt::format("its {} fixed nodes lie on one line and leave the rotation about it",
                          piece.fixed.size()));
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Counts and element quality of Gmsh MSH 4.1 ASCII files, one line each: measure-mesh FILE...
+"""Counts and element quality of Gmsh MSH 4.1 ASCII files, one line each: measure_mesh.py FILE...
 
 Written apart from the simulator's own reader, so that each checks the other. Standard library only.
 free: nodes on the boundary of the volume that are not in the group "fixed".

@@ -1,0 +1,63 @@
+#include "sim/compliance/cache.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "sim/compliance/cache_file.hpp"
+#include "sim/elasticity/supports.hpp"
+
+namespace palpate::sim {
+namespace {
+
+std::optional<std::filesystem::path> folder_from(const char* variable) {
+  const char* value = std::getenv(variable);  // NOLINT(concurrency-mt-unsafe): nobody sets it while we run
+  if (value == nullptr || *value == '\0') return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+ComplianceCache::ComplianceCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+std::filesystem::path ComplianceCache::default_folder() {
+  if (const auto own = folder_from("PALPATE_CACHE")) return *own;
+  const auto shared = folder_from("XDG_CACHE_HOME");
+  if (shared && shared->is_absolute()) return *shared / "palpate";  // the XDG rule: ignore relative ones
+  if (const auto home = folder_from("HOME")) return *home / ".cache" / "palpate";
+  return {};
+}
+
+std::shared_ptr<const Compliance> ComplianceCache::get(const TetMesh& mesh,
+                                                       std::span<const Material> materials,
+                                                       std::span<const int> fixed, std::span<const int> touch,
+                                                       std::span<const int> drawn) {
+  last_event_ = {.source = Event::Source::Memory, .trouble = ""};
+  const std::string key = compliance_key(mesh, materials, fixed, touch, drawn);
+  if (const auto known = in_memory_.find(key); known != in_memory_.end()) return known->second;
+
+  const std::filesystem::path file = folder_ / (key + ".compliance");
+  if (!folder_.empty()) {
+    CompliancePayload read = read_compliance(file, key, touch, drawn);
+    last_event_ = {.source = Event::Source::Disk, .trouble = ""};
+    if (read.compliance)
+      return in_memory_[key] = std::make_shared<const Compliance>(std::move(*read.compliance));
+    if (!read.fault.empty()) last_event_.trouble = read.fault + "; made anew";
+  }
+
+  last_event_.source = Event::Source::Built;
+  require_supports(mesh, fixed);
+  auto built = std::make_shared<const Compliance>(condense(stiffness(mesh, materials), fixed, touch, drawn));
+  try {
+    if (!folder_.empty()) write_compliance(file, key, *built);
+  } catch (const std::system_error& refusal) {
+    if (!last_event_.trouble.empty()) last_event_.trouble += "; ";
+    last_event_.trouble += fmt::format("the compliance is not kept for the next run: {}", refusal.what());
+  }
+  return in_memory_[key] = std::move(built);
+}
+
+}  // namespace palpate::sim
