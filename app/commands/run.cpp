@@ -33,13 +33,11 @@ trials::SessionFacts facts_of(const Options& options) {
           .channel = "pointer lag"};
 }
 
-Stimuli compile_all(const trials::Protocol& protocol) {
+Organs prepare_organs(const trials::Protocol& protocol) {
   std::fputs("Preparing the organs...\n", stderr);
   sim::ComplianceCache cache(sim::ComplianceCache::default_folder());
-  Stimuli stimuli{.models = {}, .practice = sim::compile(sim::load_scene(protocol.scene_file), cache)};
-  for (const trials::Stimulus& stimulus : protocol.stimuli)
-    stimuli.models.push_back(sim::compile(sim::load_scene(protocol.scene_file, stimulus.overrides), cache));
-  return stimuli;
+  return {.stimuli = trials::compile_stimuli(protocol, cache),
+          .practice = sim::compile(sim::load_scene(protocol.scene_file), cache)};
 }
 
 /// Everything that can fail is tried before the study file is touched.
@@ -47,7 +45,7 @@ void run(const Options& options) {
   const trials::Protocol protocol = trials::load_protocol(options.protocol);
   const trials::SessionFacts facts = facts_of(options);
   trials::check_start(options.study, protocol, facts, options.new_session);
-  const Stimuli stimuli = compile_all(protocol);
+  const Organs organs = prepare_organs(protocol);
   Host host({.port = options.port, .open_browser = !options.no_browser});
 
   trials::StudyFile study = trials::open_study(options.study, protocol, PALPATE_VERSION);
@@ -57,7 +55,7 @@ void run(const Options& options) {
     fmt::print(stderr, "{} has an unfinished session: it goes on, {} of {} questions are answered.\n",
                options.examinee, all - session.remaining_trials(), all);
 
-  const HostEnd end = host.lead(session, protocol, stimuli);
+  const HostEnd end = host.lead(session, protocol, organs);
   fmt::print("{}: {} of {} questions answered, all saved in {}\n", options.examinee,
              all - session.remaining_trials(), all, options.study);
   fmt::print("receipt {}\n", trials::to_string(session.receipt()));

@@ -96,14 +96,14 @@ void Host::State::announce(const HapticLoop& loop) {
 Host::Host(const HostOptions& options) : state_(std::make_unique<State>(options)) {}
 Host::~Host() = default;
 
-HostEnd Host::lead(trials::Session& session, const trials::Protocol& protocol, const Stimuli& stimuli) {
+HostEnd Host::lead(trials::Session& session, const trials::Protocol& protocol, const Organs& organs) {
   State& state = *state_;
   HapticLoop loop;
   FrameStream frames(loop.state_snapshot(), [&state](std::string jpeg) {
     asio::post(state.io, [&state, bytes = encode_frame(jpeg)] { state.server.send_binary(bytes); });
   });
   state.sitting.emplace(
-      session, protocol, stimuli, loop, &frames,
+      session, protocol, organs, loop, &frames,
       Outlets{.text = [&](std::string message) { state.server.send_text(std::move(message)); },
               .binary = [&](std::string message) { state.server.send_binary(std::move(message)); },
               .technician = say,
