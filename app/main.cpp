@@ -10,7 +10,7 @@
 
 namespace {
 
-enum ExitCode { kDone = 0, kWrongInput = 1, kUsage = 2, kMachineFailed = 3 };
+enum ExitCode { kDone = 0, kWrongInput = 1, kUsage = 2, kMachineFailed = 3, kInterrupted = 130 };
 
 int report(const char* message, ExitCode code) {
   std::fprintf(stderr, "Error: %s\n", message);
@@ -28,13 +28,20 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", PALPATE_VERSION);
   app.require_subcommand(0, 1);
   palpate::app::add_check(app);
+  palpate::app::add_cost(app);
+  palpate::app::add_mesh(app);
   palpate::app::add_press(app);
+  palpate::app::add_render(app);
+  palpate::app::add_run(app);
+  palpate::app::add_stats(app);
 
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     const int code = app.exit(error);
     return code == 0 ? kDone : kUsage;
+  } catch (const palpate::app::Interrupted&) {
+    return kInterrupted;
   } catch (const std::invalid_argument& error) {
     return report(error.what(), kWrongInput);
   } catch (const std::exception& error) {

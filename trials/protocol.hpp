@@ -14,8 +14,9 @@ namespace palpate::trials {
 
 /// A named set of scene overrides: `soft`, `hard`.
 struct Condition {
-  std::string name;
-  std::vector<sim::Override> overrides;
+  std::string name{};
+  std::vector<sim::Override> overrides{};
+  int line = 0;  // in the protocol file
 };
 
 /// A scene key that is varied between trials; every combination of the factors' levels is a cell.
@@ -23,6 +24,7 @@ struct Factor {
   std::string key;                  // "contact.model"
   std::vector<std::string> levels;  // as a reader sees them: "kuroda"
   std::vector<std::string> values;  // the same as TOML, as an override takes them: "\"kuroda\""
+  int line = 0;                     // in the protocol file
 };
 
 /// One combination of factor levels.

@@ -27,8 +27,8 @@ struct SessionView {
   int intervals = 2;  // of a trial
   int block = 0;      // from 1: what progress is shown by
   int blocks = 0;
-  std::string question;
-  std::string again;  // why the coming interval is shown again; empty when it is not
+  std::string question{};
+  std::string again{};  // why the coming interval is shown again; empty when it is not
   bool resumed = false;
   RunMode run_mode = RunMode::Study;
   bool pseudo_haptic = false;
@@ -49,8 +49,9 @@ class Session {
   /// For the haptic loop only, never for the page: which of Protocol::stimuli the coming (or running)
   /// interval presents. Valid in Ready, Pause before an interval, and Interval.
   std::size_t stimulus() const;
-  const Trial& trial() const;    // that is asked; for the simulated observers' driver and tests
-  int remaining_trials() const;  // unanswered ones
+  const Trial& trial() const;                      // that is asked
+  const std::vector<DrawnTrial>& pending() const;  // unanswered trials, the one that is asked first
+  const SessionRow& row() const;
 
   /// Ready or Pause -> Interval. Stores that the interval was begun, so that a kill leaves the exposure
   /// known.
@@ -70,9 +71,10 @@ class Session {
   /// The receipt of the study's hash chain as it stands.
   Receipt receipt() const;
 
+  struct State;
+
  private:
   friend Session start_session(StudyFile&, const Protocol&, const SessionFacts&, bool);
-  struct State;
   explicit Session(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };

@@ -85,13 +85,23 @@ struct AnswerRow {
   std::string committed_utc{};
 };
 
+/// Kinds of events that mean something to this program; others are kept as they are.
+namespace event_kind {
+constexpr std::string_view kVoided = "voided";  // the trial does not count; the text is the reason
+constexpr std::string_view kInterrupted = "interrupted";
+constexpr std::string_view kResumed = "resumed";
+constexpr std::string_view kEnded = "session ended";
+constexpr std::string_view kEarlyKey = "early key";
+constexpr std::string_view kStrategy = "strategy";
+constexpr std::string_view kChecklist = "checklist";
+}  // namespace event_kind
+
 /// Things that happened apart from answers. Append-only, chained with the answers.
 struct EventRow {
   std::int64_t entry = 0;  // in the hash chain; set by the file
   std::optional<std::int64_t> session{};
   std::optional<int> trial{};
-  std::string
-      kind{};  // "voided", "early key", "interrupted", "resumed", "strategy", "checklist", "session ended"
+  std::string kind{};  // see event_kind
   std::string text{};
   std::string utc{};
 };

@@ -16,8 +16,10 @@
 namespace palpate::analysis {
 namespace {
 
-constexpr std::size_t kEnumerated = 20;    // 2^20 sign patterns: 10 ms
-constexpr double kTableSteps = 4'000'000;  // of the exact distribution over a grid: 10 ms
+constexpr std::size_t kEnumerated = 20;  // 2^20 sign patterns: 10 ms
+constexpr double kTableSteps = 5e7;      // of the exact distribution over a grid: 50 ms
+constexpr long kSampledTerms =
+    50'000'000;  // of the Monte Carlo sums: 0.1 s; thousands of differences get fewer
 
 // The differences in whole steps of a common grid, 1/1 to 1/240: counts, and proportions of few trials.
 std::optional<std::vector<long>> on_grid(std::span<const double> differences) {
@@ -68,21 +70,20 @@ Subsets all_subsets(std::span<const double> d) {
   return subsets;
 }
 
-Subsets sampled_subsets(std::span<const double> d, const SignFlipOptions& options) {
+Subsets sampled_subsets(std::span<const double> d, long resamples, std::uint64_t seed) {
   Subsets subsets;
-  std::mt19937_64 random(options.seed);
-  for (long r = 0; r < options.resamples; ++r) {
-    double sum = 0.0;
-    long members = 0;
+  std::mt19937_64 random(seed);
+  for (long r = 0; r < resamples; ++r) {
+    double sum = 0.0, members = 0.0;
     std::uint64_t bits = 0;
     for (std::size_t i = 0; i < d.size(); ++i) {
       bits = i % 64 == 0 ? random() : bits >> 1;
-      if ((bits & 1) == 0) continue;
-      sum += d[i];
-      ++members;
+      const auto flipped = static_cast<double>(bits & 1);
+      sum += flipped * d[i];
+      members += flipped;
     }
     subsets.sums.push_back(sum);
-    if (members > 0) subsets.means.push_back(sum / static_cast<double>(members));
+    if (members > 0) subsets.means.push_back(sum / members);
   }
   return subsets;
 }
@@ -138,23 +139,32 @@ SignFlipTest sign_flip_test(std::span<const double> differences, const SignFlipO
   SignFlipTest test{.n = differences.size()};
   test.mean = std::reduce(differences.begin(), differences.end()) / static_cast<double>(test.n);
   const bool enumerate = test.n <= kEnumerated;
-  Subsets subsets = enumerate ? all_subsets(differences) : sampled_subsets(differences, options);
+  const long resamples =
+      std::min(options.resamples, std::max(999L, kSampledTerms / static_cast<long>(test.n)));
+  Subsets subsets =
+      enumerate ? all_subsets(differences) : sampled_subsets(differences, resamples, options.seed);
   const auto grid = enumerate ? std::nullopt : on_grid(differences);
   test.exact = enumerate || grid.has_value();
   test.p = grid ? p_on_grid(*grid) : p_of(subsets, differences, enumerate ? 0 : 1);
   if (!enumerate) test.seed = options.seed;
-  if (!test.exact) test.resamples = options.resamples;
+  if (!test.exact) test.resamples = resamples;
   const double patterns = static_cast<double>(subsets.sums.size()) + (enumerate ? 0 : 1);
+  const bool alike = test.n > 1 && std::all_of(differences.begin(), differences.end(),
+                                               [&](double d) { return d == differences.front(); });
+  const std::string sampled = fmt::format("{} random subset means, seed {}", resamples, options.seed);
   test.interval = invert(std::move(subsets), patterns, options.level,
-                         enumerate ? "test inversion over all subset means"
-                                   : fmt::format("test inversion over {} random subset means, seed {}",
-                                                 options.resamples, options.seed));
-  test.method = {.name = test.exact
-                             ? "sign-flip permutation test, exact"
-                             : fmt::format("sign-flip permutation test, Monte Carlo with {} resamples, "
-                                           "seed {}, add-one rule",
-                                           options.resamples, options.seed),
-                 .source = test.exact ? "Fisher 1935" : "Fisher 1935; Phipson & Smyth 2010"};
+                         "test inversion over " + (enumerate ? "all subset means" : sampled));
+  if (alike) {  // every subset has the same mean: an interval without width would feign certainty
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    test.interval = {
+        .lower = kNone, .upper = kNone, .level = options.level, .method = "none: all differences are equal"};
+  }
+  test.method = {
+      .name = test.exact ? "sign-flip permutation test, exact"
+                         : fmt::format("sign-flip permutation test, Monte Carlo with {} resamples, seed {}, "
+                                       "add-one rule",
+                                       resamples, options.seed),
+      .source = test.exact ? "Fisher 1935" : "Fisher 1935; Phipson & Smyth 2010"};
   return test;
 }
 

@@ -67,22 +67,18 @@ PValues normal_p(const Ranks& ranks, double v) {
 }
 
 // The largest m with P(V < m) <= tail for n ranks without ties: the interval ends at the m-th mean of pairs.
-std::ptrdiff_t rank_of_end(std::size_t n, double tail) {
+std::size_t rank_of_end(std::size_t n, double tail) {
   if (n > kExact) {
     const double count = static_cast<double>(n), mean = count * (count + 1) / 4;
     const double deviation = std::sqrt(count * (count + 1) * (2 * count + 1) / 24);
-    return std::max(std::ptrdiff_t{0},
-                    static_cast<std::ptrdiff_t>(quantile(boost::math::normal(mean, deviation), tail)));
+    return static_cast<std::size_t>(std::max(0.0, quantile(boost::math::normal(mean, deviation), tail)));
   }
   std::vector<long> weights(n);
   std::iota(weights.begin(), weights.end(), 1L);
   const std::vector<double> probability = sign_sum_distribution(weights);
   double below = 0.0;
-  std::ptrdiff_t m = 0;
-  while (below + probability[static_cast<std::size_t>(m)] <= tail * (1 + 1e-12)) {
-    below += probability[static_cast<std::size_t>(m)];
-    ++m;
-  }
+  std::size_t m = 0;
+  while (below + probability[m] <= tail * (1 + 1e-12)) below += probability[m++];
   return m;
 }
 
@@ -92,19 +88,22 @@ void estimate(std::span<const double> d, double level, SignedRankTest& test) {
   for (std::size_t i = 0; i < d.size(); ++i) {
     for (std::size_t j = i; j < d.size(); ++j) means.push_back((d[i] + d[j]) / 2);
   }
-  std::sort(means.begin(), means.end());
-  const std::size_t middle = means.size() / 2;
-  test.pseudo_median = means.size() % 2 == 1 ? means[middle] : (means[middle - 1] + means[middle]) / 2;
+  const auto smallest = [&means](std::size_t rank) {  // from 0
+    const auto at = means.begin() + static_cast<std::ptrdiff_t>(rank);
+    std::nth_element(means.begin(), at, means.end());
+    return *at;
+  };
+  test.pseudo_median = (smallest((means.size() - 1) / 2) + smallest(means.size() / 2)) / 2;
 
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   test.interval = {.lower = -kInfinity,
                    .upper = kInfinity,
                    .level = level,
                    .method = "means of pairs, Hodges & Lehmann 1963"};
-  const std::ptrdiff_t m = rank_of_end(d.size(), (1 - level) / 2);
+  const std::size_t m = rank_of_end(d.size(), (1 - level) / 2);
   if (m < 1) return;
-  test.interval.lower = means[static_cast<std::size_t>(m - 1)];
-  test.interval.upper = *(means.end() - m);
+  test.interval.lower = smallest(m - 1);
+  test.interval.upper = smallest(means.size() - m);
 }
 
 void validate(std::span<const double> differences, double level) {

@@ -11,6 +11,8 @@ namespace palpate::sim {
 struct Material {
   double young_modulus = 0.0;  // E [Pa], > 0
   double poisson_ratio = 0.0;  // nu [-], -1 < nu < 0.5
+
+  bool operator==(const Material&) const = default;
 };
 
 /// Stiffness K of a body of linear (P1) tetrahedra, small strain: K = sum over elements of V B^T D B, 3n x 3n

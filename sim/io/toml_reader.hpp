@@ -150,9 +150,10 @@ class TomlReader {
   /// Refuses the first key that was never asked for.
   void refuse_unknown() const {
     for (const std::string& key : keys())
-      if (!asked_.contains(key))
-        refuse(key, fmt::format("unknown key; accepted here: {}", fmt::join(asked_, ", ")));
+      if (!asked_.contains(key)) refuse_unknown(key);
   }
+
+  [[noreturn]] void refuse_unknown(std::string_view key) const;
 
   const std::string& file() const { return file_; }
 
@@ -187,7 +188,15 @@ class TomlReader {
   std::set<std::string> asked_;
 };
 
-/// Parses a TOML file; a syntax error names file and line. Throws std::invalid_argument.
+/// The known key that a mistyped one is nearest to: at most 2 letters wrong, missing or too many; else
+/// nothing.
+std::optional<std::string> nearest_key(std::string_view typed, const std::set<std::string>& known);
+
+/// A file, byte for byte. Throws std::invalid_argument for one that is missing, a folder or unreadable.
+std::string read_text(const std::filesystem::path& file);
+
+/// Parses TOML; a syntax error names file and line. Throws std::invalid_argument.
+toml::table parse_toml(std::string_view text, const std::string& file);
 toml::table read_toml(const std::filesystem::path& file);
 
 }  // namespace palpate::sim

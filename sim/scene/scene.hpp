@@ -18,6 +18,8 @@ namespace palpate::sim {
 /// mesh file.
 struct Box {
   Vec3 lower = Vec3::Zero(), upper = Vec3::Zero();  // [m]
+
+  bool operator==(const Box&) const = default;
 };
 using NodeSelection = std::variant<std::string, Box, std::vector<std::int64_t>>;
 
@@ -33,6 +35,8 @@ struct BodySpec {
   double scale = 1.0;
   Vec3 rotate = Vec3::Zero();  // rotation vector: axis times angle [rad]
   Vec3 offset = Vec3::Zero();  // [m], after scale and rotation
+
+  bool operator==(const BodySpec&) const = default;
 };
 
 enum class ContactModel { None, Sibille, Kuroda };
@@ -40,6 +44,8 @@ enum class ContactModel { None, Sibille, Kuroda };
 struct ContactSpec {
   std::vector<std::array<std::string, 2>> touch{};  // which bodies may touch
   ContactModel model = ContactModel::Kuroda;
+
+  bool operator==(const ContactSpec&) const = default;
 };
 
 enum class ProbeKind { Point, Pad };
@@ -55,6 +61,8 @@ struct ProbeSpec {
   double depth = 0.0;              // default depth of a press [m]
   double radius = 0.0;             // of a pad [m]
   Tangential tangential = Tangential::Held;
+
+  bool operator==(const ProbeSpec&) const = default;
 };
 
 /// Bodies, materials, supports, what may touch what, probes. Plain data, validated at the border.
@@ -64,6 +72,8 @@ struct Scene {
   std::vector<BodySpec> bodies{};  // in the order of the file
   ContactSpec contact{};
   std::vector<ProbeSpec> probes{};  // the first is the finger whose force is reported
+
+  bool operator==(const Scene&) const = default;
 };
 
 /// One entry of a scene replaced: dotted key and TOML value, e.g. {"bodies.prostate.young_modulus", "\"5.0

@@ -1,0 +1,210 @@
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+#include <tuple>
+
+#include "analysis/report/report.hpp"
+#include "analysis/report/select.hpp"
+#include "analysis/report/sentences.hpp"
+#include "analysis/statistics/result.hpp"
+
+namespace palpate::analysis {
+namespace {
+
+constexpr double kChance = 0.5;  // of two intervals
+constexpr std::size_t kLargestSignedRank = 5000;
+
+std::optional<double> median(std::vector<double> values) {
+  if (values.empty()) return std::nullopt;
+  const auto middle = values.begin() + std::ssize(values) / 2;
+  std::nth_element(values.begin(), middle, values.end());
+  if (values.size() % 2 == 1) return *middle;
+  return (*middle + *std::max_element(values.begin(), middle)) / 2;
+}
+
+// Counts of one pass over the trials.
+struct Counts {
+  std::vector<OrderCounts> orders;                  // one for each cell
+  std::vector<std::vector<double>> response_times;  // likewise
+};
+
+Counts count(const Selection& selection, std::vector<CellResult>& cells) {
+  Counts counts{.orders = std::vector<OrderCounts>(cells.size()),
+                .response_times = std::vector<std::vector<double>>(cells.size())};
+  for (const TrialRow* trial : selection.trials) {
+    CellResult& cell = cells[trial->cell];
+    ExamineeCount& examinee = cell.by_examinee[selection.examinee_of[trial->session]];
+    OrderCounts& order = counts.orders[trial->cell];
+    const bool first = trial->correct_answer == "1";
+    const long correct = *trial->correct ? 1 : 0;
+    ++cell.trials, ++examinee.trials, ++(first ? order.trials_first : order.trials_second);
+    cell.correct += correct, examinee.correct += correct;
+    (first ? order.correct_first : order.correct_second) += correct;
+    if (trial->response_time_s) counts.response_times[trial->cell].push_back(*trial->response_time_s);
+  }
+  for (const TrialRow* trial : selection.voided) ++cells[trial->cell].voided;
+  return counts;
+}
+
+void test_cell(CellResult& cell, const OrderCounts& orders, const StudyDesign& design, double level) {
+  if (cell.trials == 0) return;
+  const Side side = side_from_name(design.side);
+  cell.pooled = binomial_test(cell.correct, cell.trials, kChance, side, level);
+  cell.critical = critical_number(cell.trials, kChance, design.alpha, side);
+  cell.d_prime = dprime_2ifc(cell.correct, cell.trials, DPrimeCorrection::HalfTrial, level);
+  cell.bias = interval_bias(orders, DPrimeCorrection::HalfTrial, level);
+  std::vector<ExamineeCount> answered;
+  std::copy_if(cell.by_examinee.begin(), cell.by_examinee.end(), std::back_inserter(answered),
+               [](const ExamineeCount& count) { return count.trials > 0; });
+  cell.by_people = examinee_level_test(answered, kChance, {.level = level});
+}
+
+CellComparison compare(const CellResult& first, const CellResult& second, const StudyReport& report) {
+  CellComparison comparison{
+      .first = first.name, .second = second.name, .planned = report.design.between_models};
+  std::vector<double> differences;
+  const auto proportion = [](const ExamineeCount& count) {
+    return static_cast<double>(count.correct) / static_cast<double>(count.trials);
+  };
+  double sum = 0.0;
+  for (std::size_t i = 0; i < report.examinees.size(); ++i) {
+    const ExamineeCount &a = first.by_examinee[i], &b = second.by_examinee[i];
+    if (a.trials == 0 || b.trials == 0) continue;
+    differences.push_back(proportion(a) - proportion(b));
+    sum += differences.back();
+  }
+  comparison.examinees = differences.size();
+  if (differences.empty()) return comparison;
+  comparison.mean_difference = sum / static_cast<double>(differences.size());
+  if (report.withheld) return comparison;
+  comparison.sign_flip = sign_flip_test(differences, {.level = report.options.level});
+  if (differences.size() <= kLargestSignedRank) {
+    comparison.signed_rank = signed_rank_test(differences, Zeros::Pratt, report.options.level);
+  }
+  return comparison;
+}
+
+// An examinee counts as complete who was asked all that the protocol plans; a voided trial was asked.
+long complete_examinees(const StudyDesign& design, const Selection& selection) {
+  std::vector<std::vector<int>> asked(selection.examinees.size(), std::vector<int>(design.cells.size(), 0));
+  for (const auto* trials : {&selection.trials, &selection.voided}) {
+    for (const TrialRow* trial : *trials) ++asked[selection.examinee_of[trial->session]][trial->cell];
+  }
+  const int needed = std::max(1, design.trials_per_examinee_per_cell);
+  return std::count_if(asked.begin(), asked.end(), [needed](const std::vector<int>& cells) {
+    return std::all_of(cells.begin(), cells.end(), [needed](int trials) { return trials >= needed; });
+  });
+}
+
+// Mean of what was recorded; empty when nothing was.
+struct Mean {
+  double sum = 0.0;
+  long n = 0;
+  void add(const std::optional<double>& value) {
+    if (value) sum += *value, ++n;
+  }
+  std::optional<double> value() const {
+    return n == 0 ? std::nullopt : std::optional(sum / static_cast<double>(n));
+  }
+};
+
+template <typename Value>
+void keep_largest(std::optional<Value>& largest, const std::optional<Value>& value) {
+  if (value && (!largest || *value > *largest)) largest = value;
+}
+
+std::vector<StimulusSummary> summarise_stimuli(const StudyDesign& design, const Selection& selection) {
+  struct Sums {
+    StimulusSummary summary{};
+    Mean presses{}, exploration{}, force{}, depth{};
+  };
+  const auto place = [&](const std::string& condition) {  // in the protocol's order
+    return std::find(design.conditions.begin(), design.conditions.end(), condition) -
+           design.conditions.begin();
+  };
+  std::map<std::tuple<std::size_t, std::ptrdiff_t, std::string>, Sums> stimuli;
+  for (const TrialRow* trial : selection.trials) {
+    for (const IntervalRow& interval : trial->intervals) {
+      Sums& sums = stimuli[{trial->cell, place(interval.condition), interval.condition}];
+      ++sums.summary.intervals;
+      sums.presses.add(interval.n_presses);
+      sums.exploration.add(interval.exploration_time_s);
+      sums.force.add(interval.peak_force_n);
+      sums.depth.add(interval.max_depth_m);
+      keep_largest(sums.summary.worst_clamped_fraction, interval.clamped_fraction);
+      keep_largest(sums.summary.worst_loop_p999_ms, interval.loop_p999_ms);
+      if (interval.missed_cycles) {
+        sums.summary.missed_cycles = sums.summary.missed_cycles.value_or(0) + *interval.missed_cycles;
+      }
+    }
+  }
+  std::vector<StimulusSummary> summaries;
+  for (auto& [key, sums] : stimuli) {
+    sums.summary.cell = design.cells[std::get<0>(key)].name;
+    sums.summary.condition = std::get<2>(key);
+    sums.summary.mean_presses = sums.presses.value().value_or(0.0);
+    sums.summary.mean_exploration_s = sums.exploration.value();
+    sums.summary.mean_peak_force_n = sums.force.value();
+    sums.summary.mean_max_depth_m = sums.depth.value();
+    summaries.push_back(sums.summary);
+  }
+  return summaries;
+}
+
+void take_sessions(const StudyTable& table, const Selection& selection, StudyReport& report) {
+  for (std::size_t i = 0; i < table.sessions.size(); ++i) {
+    if (selection.sessions[i]) report.sessions.push_back(table.sessions[i]);
+  }
+  report.pseudo_haptic = report.sessions.front().pseudo_haptic;
+  report.channel = report.sessions.front().channel;
+  for (const TrialRow* trial : selection.voided) {
+    const SessionRow& session = table.sessions[trial->session];
+    report.voided.push_back({.examinee = session.examinee,
+                             .session = session.session,
+                             .cell = table.design.cells[trial->cell].name,
+                             .reason = trial->void_reason,
+                             .trial = trial->trial});
+  }
+  std::copy_if(table.curves.begin(), table.curves.end(), std::back_inserter(report.curves),
+               [&](const ForceCurve& curve) { return curve.run_mode == selection.run_mode; });
+}
+
+void compute(const Selection& selection, StudyReport& report) {
+  for (const Cell& cell : report.design.cells) {
+    report.cells.push_back(
+        {.name = cell.name, .by_examinee = std::vector<ExamineeCount>(report.examinees.size())});
+  }
+  const Counts counts = count(selection, report.cells);
+  for (std::size_t i = 0; i < report.cells.size(); ++i) {
+    report.cells[i].median_response_time_s = median(counts.response_times[i]);
+    if (!report.withheld) test_cell(report.cells[i], counts.orders[i], report.design, report.options.level);
+  }
+  for (std::size_t i = 0; i < report.cells.size(); ++i) {
+    for (std::size_t j = i + 1; j < report.cells.size(); ++j) {
+      report.comparisons.push_back(compare(report.cells[i], report.cells[j], report));
+    }
+  }
+}
+
+}  // namespace
+
+StudyReport analyse(const StudyTable& table, const ReportOptions& options) {
+  validate(table);
+  require_level(options.level, "confidence level");
+  const Selection selection = select(table, options);
+  StudyReport report{.design = table.design,
+                     .options = options,
+                     .run_mode = selection.run_mode,
+                     .planned_examinees = table.design.planned_examinees,
+                     .examinees = selection.examinees};
+  take_sessions(table, selection, report);
+  report.complete_examinees = complete_examinees(table.design, selection);
+  report.complete = report.complete_examinees >= report.planned_examinees;
+  report.withheld = !report.complete && !options.interim;
+  compute(selection, report);
+  report.stimuli = summarise_stimuli(table.design, selection);
+  write_sentences(table.notes, report);
+  return report;
+}
+
+}  // namespace palpate::analysis

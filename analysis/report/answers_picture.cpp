@@ -1,0 +1,139 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <boost/math/distributions/binomial.hpp>
+#include <cmath>
+
+#include "analysis/report/pictures.hpp"
+#include "analysis/report/summary.hpp"
+#include "analysis/svg.hpp"
+#include "analysis/words.hpp"
+
+namespace palpate::analysis {
+namespace {
+
+constexpr double kWidth = 720, kLeft = 120, kRight = 690, kTop = 64, kRow = 104, kBar = 26, kHill = 40;
+
+// Cells of one size share an axis of counts; cells of different sizes are only comparable in percent.
+struct Scale {
+  Axis axis{};
+  bool counts = true;
+  double at(double correct, long trials) const {
+    return axis.at(counts ? correct : 100 * correct / static_cast<double>(trials));
+  }
+};
+
+Scale scale_of(const StudyReport& report) {
+  long trials = 0;
+  bool counts = true;
+  for (const CellResult& cell : report.cells) {
+    if (cell.trials == 0) continue;
+    counts = counts && (trials == 0 || trials == cell.trials);
+    trials = cell.trials;
+  }
+  Scale scale{.counts = counts};
+  scale.axis = counts ? nice_axis(0, static_cast<double>(std::max(1L, trials)), 10, false, "correct answers")
+                      : nice_axis(0, 100, 10, false, "correct answers (%)");
+  std::erase_if(scale.axis.ticks, [counts](double tick) { return counts && tick != std::floor(tick); });
+  scale.axis.decimals = 0;
+  scale.axis.pixel_low = kLeft;
+  scale.axis.pixel_high = kRight;
+  return scale;
+}
+
+// The distribution of the number correct under guessing, drawn as a hill whose rejected part is darker.
+std::string hill(const CellResult& cell, const Scale& scale, double base) {
+  const boost::math::binomial_distribution<> guessing(static_cast<double>(cell.trials), cell.pooled->chance);
+  const double spread = 5 * standard_deviation(guessing) + 2, centre = mean(guessing);
+  const long first = std::max(0L, std::lround(centre - spread)),
+             last = std::min(cell.trials, std::lround(centre + spread));
+  const double top = pdf(guessing, mode(guessing));
+  std::vector<std::pair<double, double>> all, rejected_low, rejected_high;
+  const auto add = [&](auto& points, long k) {
+    const double height = base - kHill * pdf(guessing, static_cast<double>(k)) / top;
+    points.emplace_back(scale.at(static_cast<double>(k) - 0.5, cell.trials), height);
+    points.emplace_back(scale.at(static_cast<double>(k) + 0.5, cell.trials), height);
+  };
+  for (long k = first; k <= last; ++k) {
+    add(all, k);
+    if (!rejects(*cell.critical, k)) continue;
+    add(static_cast<double>(k) > centre ? rejected_high : rejected_low, k);
+  }
+  std::string marks;
+  const auto draw = [&](auto& points, std::string_view style) {
+    if (points.empty()) return;
+    points.emplace(points.begin(), points.front().first, base);
+    points.emplace_back(points.back().first, base);
+    marks += path(points, true, style);
+  };
+  draw(all, "class=\"guess\"");
+  draw(rejected_low, "class=\"rejected\"");
+  draw(rejected_high, "class=\"rejected\"");
+  return marks;
+}
+
+std::string critical_mark(double x, double y, const std::string& text, bool left) {
+  return line(x, y - kHill - 8, x, y + kBar + 8, "class=\"critical\"") +
+         label(x + (left ? -5 : 5), y - kHill - 1, left ? "end" : "start", text, "class=\"critical-text\"");
+}
+
+// Interval, critical numbers and the hill: everything that is an inference.
+std::string inference(const CellResult& cell, const Scale& scale, double y) {
+  const double n = static_cast<double>(cell.trials), middle = y + kBar / 2;
+  const double lower = scale.at(cell.pooled->interval.lower * n, cell.trials);
+  const double upper = scale.at(cell.pooled->interval.upper * n, cell.trials);
+  std::string marks = line(lower, middle, upper, middle, "class=\"whisker\"") +
+                      line(lower, middle - 6, lower, middle + 6, "class=\"whisker\"") +
+                      line(upper, middle - 6, upper, middle + 6, "class=\"whisker\"");
+  if (cell.critical->at_least) {
+    const double k = static_cast<double>(*cell.critical->at_least);
+    marks += critical_mark(scale.at(k - 0.5, cell.trials), y,
+                           fmt::format("{} or more", *cell.critical->at_least), false);
+  }
+  if (cell.critical->at_most) {
+    const double k = static_cast<double>(*cell.critical->at_most);
+    marks += critical_mark(scale.at(k + 0.5, cell.trials), y,
+                           fmt::format("{} or fewer", *cell.critical->at_most), true);
+  }
+  return marks;
+}
+
+std::string row(const CellResult& cell, const Scale& scale, double y, std::size_t index) {
+  std::string marks = label(kLeft - 12, y + kBar / 2 - 2, "end", cell.name, "class=\"row\"");
+  if (cell.trials == 0)
+    return marks + label(kLeft + 6, y + kBar / 2 + 5, "start", "no answers", "class=\"tick\"");
+  marks += label(kLeft - 12, y + kBar / 2 + 15, "end", fmt::format("{} of {}", cell.correct, cell.trials),
+                 "class=\"tick\"");
+  if (cell.pooled) marks += hill(cell, scale, y);
+  const double end = scale.at(static_cast<double>(cell.correct), cell.trials);
+  marks += rectangle(kLeft, y, end - kLeft, kBar, fmt::format("fill=\"{}\" class=\"bar\"", colour(index)));
+  return cell.pooled ? marks + inference(cell, scale, y) : marks;
+}
+
+std::string description(const StudyReport& report) {
+  std::string text;
+  for (const CellResult& cell : report.cells) {
+    text += fmt::format("{}: {} correct of {}. ", cell.name, cell.correct, cell.trials);
+    if (cell.critical && !region_in_words(*cell.critical).empty()) {
+      text += fmt::format("Guessing is rejected by {}. ", region_in_words(*cell.critical));
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string answers_picture(const StudyReport& report) {
+  const Scale scale = scale_of(report);
+  const double bottom = kTop + kRow * static_cast<double>(report.cells.size()) - 30;
+  std::string marks = horizontal_axis(scale.axis, bottom, kTop - 52);
+  for (std::size_t i = 0; i < report.cells.size(); ++i) {
+    marks += row(report.cells[i], scale, kTop + kRow * static_cast<double>(i), i);
+  }
+  const double chance = scale.axis.at((scale.axis.low + scale.axis.high) / 2);
+  if (!report.withheld) marks += line(chance, bottom, chance, kTop - 52, "class=\"chance\"");
+  return picture("answers", kWidth, bottom + 52, "Correct answers against the critical number",
+                 description(report), marks);
+}
+
+}  // namespace palpate::analysis

@@ -1,0 +1,94 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "analysis/report/pictures.hpp"
+#include "analysis/svg.hpp"
+#include "analysis/words.hpp"
+
+namespace palpate::analysis {
+namespace {
+
+constexpr double kWidth = 720, kLeft = 120, kRight = 690, kTop = 44;
+constexpr std::size_t kLabelled = 60;  // rows that still have room for a code each
+
+// A shape for each cell, so that the colours are not needed: disc, square, diamond, ring.
+std::string marker(std::size_t cell, double x, double y, double size) {
+  const std::string fill = fmt::format("fill=\"{}\" class=\"dot\"", colour(cell));
+  switch (cell % 4) {
+    case 0:
+      return circle(x, y, size, fill);
+    case 1:
+      return rectangle(x - 0.9 * size, y - 0.9 * size, 1.8 * size, 1.8 * size, fill);
+    case 2:
+      return path({{x, y - 1.3 * size}, {x + 1.3 * size, y}, {x, y + 1.3 * size}, {x - 1.3 * size, y}}, true,
+                  fill);
+    default:
+      return circle(x, y, size, fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"2\"", colour(cell)));
+  }
+}
+
+std::string legend(const StudyReport& report) {
+  std::string marks;
+  double x = kLeft;
+  for (std::size_t c = 0; c < report.cells.size(); ++c) {
+    marks += marker(c, x + 6, 16, 5) + label(x + 18, 21, "start", report.cells[c].name, "class=\"legend\"");
+    x += 40 + 8.0 * static_cast<double>(report.cells[c].name.size());
+  }
+  return marks;
+}
+
+// Marks of one examinee; equal proportions are drawn side by side, a little apart, so that none hides
+// another.
+std::string row(const StudyReport& report, std::size_t examinee, const Axis& axis, double y, double size) {
+  std::vector<std::pair<double, std::size_t>> marks;
+  for (std::size_t c = 0; c < report.cells.size(); ++c) {
+    const ExamineeCount& count = report.cells[c].by_examinee[examinee];
+    if (count.trials > 0) {
+      marks.emplace_back(
+          axis.at(100.0 * static_cast<double>(count.correct) / static_cast<double>(count.trials)), c);
+    }
+  }
+  if (marks.empty()) return "";
+  const auto [least, most] = std::minmax_element(marks.begin(), marks.end());
+  std::string text = line(least->first, y, most->first, y, "class=\"link\"");
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    double before = 0, same = 0;
+    for (std::size_t j = 0; j < marks.size(); ++j) {
+      if (marks[j].first != marks[i].first) continue;
+      ++same;
+      before += j < i;
+    }
+    text += marker(marks[i].second, marks[i].first + 2.2 * size * (before - (same - 1) / 2), y, size);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string examinees_picture(const StudyReport& report) {
+  if (report.examinees.empty()) return "";
+  const bool labelled = report.examinees.size() <= kLabelled;
+  const double height = labelled ? 20 : 9, size = labelled ? 5 : 3;
+  Axis axis = nice_axis(0, 100, 5, false, "correct answers (%)");
+  axis.pixel_low = kLeft;
+  axis.pixel_high = kRight;
+  const double bottom = kTop + height * static_cast<double>(report.examinees.size()) + 6;
+  std::string marks = legend(report) + horizontal_axis(axis, bottom, kTop - 8) +
+                      line(axis.at(50), bottom, axis.at(50), kTop - 8, "class=\"chance\"");
+  for (std::size_t i = 0; i < report.examinees.size(); ++i) {
+    const double y = kTop + height * (static_cast<double>(i) + 0.5);
+    if (labelled || i % 10 == 0)
+      marks += label(kLeft - 12, y + 4, "end", report.examinees[i], "class=\"tick\"");
+    marks += row(report, i, axis, y, size);
+  }
+  return picture(
+      "examinees", kWidth, bottom + 52, "Correct answers of each examinee",
+      fmt::format("A row for each of {} with the percentage correct under {}; the table below gives the "
+                  "counts.",
+                  counted(static_cast<long>(report.examinees.size()), "examinee", "examinees"),
+                  counted(static_cast<long>(report.cells.size()), "cell", "cells")),
+      marks);
+}
+
+}  // namespace palpate::analysis

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "analysis/report/report.hpp"
+
+namespace palpate::analysis {
+
+// The report's pictures, as SVG inside HTML; empty where there is nothing to draw.
+
+/// Correct answers of each cell, what guessing would give, and the critical number: Fig. 9 of [Kuroda2003].
+std::string answers_picture(const StudyReport& report);
+
+/// Proportion correct of each examinee under each cell, a row for each examinee.
+std::string examinees_picture(const StudyReport& report);
+
+/// Mean force over depth by condition, a panel for each cell: Fig. 8 of [Kuroda2003] as the study presented
+/// it.
+std::string curves_picture(const StudyReport& report);
+
+}  // namespace palpate::analysis

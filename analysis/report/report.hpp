@@ -1,0 +1,100 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/statistics/binomial_test.hpp"
+#include "analysis/statistics/critical_number.hpp"
+#include "analysis/statistics/dprime.hpp"
+#include "analysis/statistics/examinee_level.hpp"
+#include "analysis/statistics/interval_bias.hpp"
+#include "analysis/statistics/sign_flip.hpp"
+#include "analysis/statistics/signed_rank.hpp"
+#include "analysis/study_table.hpp"
+
+namespace palpate::analysis {
+
+struct ReportOptions {
+  std::optional<std::string>
+      run_mode{};                  // which of the study's run modes; may be empty when there is only one
+  bool interim = false;            // results before the planned sample is complete
+  double level = 0.95;             // confidence of all intervals
+  std::string software_version{};  // of the program that writes the report
+  std::string written_utc{};       // when
+};
+
+/// What was asked and answered under one cell. What cannot be computed (no answers) or must not be shown yet
+/// (the planned sample is not complete) is empty.
+struct CellResult {
+  std::string name{};
+  long correct = 0, trials = 0, voided = 0;
+  std::vector<ExamineeCount> by_examinee{};  // in the order of StudyReport::examinees; trials may be 0
+  std::optional<BinomialTest> pooled{};      // the primary test
+  std::optional<CriticalNumber> critical{};  // for the number of trials reached
+  std::optional<ExamineeLevelTest> by_people{};
+  std::optional<DPrime> d_prime{};
+  std::optional<IntervalBias> bias{};
+  std::optional<double> median_response_time_s{};
+};
+
+/// Two cells compared on differences within examinees: proportion correct under `first` less that under
+/// `second`.
+struct CellComparison {
+  std::string first{}, second{};
+  std::size_t examinees = 0;  // who answered under both
+  double mean_difference = 0.0;
+  std::optional<SignFlipTest> sign_flip{};
+  std::optional<SignedRankTest> signed_rank{};
+  std::string planned{};  // "sign-flip", "wilcoxon": what the protocol names; "none"
+};
+
+/// How a stimulus was explored and presented, over all intervals of one condition of one cell.
+struct StimulusSummary {
+  std::string cell{}, condition{};
+  long intervals = 0;
+  double mean_presses = 0.0;
+  std::optional<double> mean_exploration_s{}, mean_peak_force_n{}, mean_max_depth_m{};
+  std::optional<double> worst_clamped_fraction{}, worst_loop_p999_ms{};
+  std::optional<long> missed_cycles{};
+};
+
+struct VoidedTrial {
+  std::string examinee{}, session{}, cell{}, reason{};
+  int trial = 0;
+};
+
+/// Everything that a report says, in the order in which it says it. The writers (html, text, json) only lay
+/// it out.
+struct StudyReport {
+  StudyDesign design{};
+  ReportOptions options{};
+  std::string run_mode{};
+  bool pseudo_haptic = false;
+  std::string channel{};
+  std::vector<std::string> banners{};  // what must stand on every page; empty for a study with a device
+  std::vector<std::string> summary{};  // in plain words, a paragraph each
+  long planned_examinees = 0, complete_examinees = 0;
+  bool complete = false;  // the planned sample was reached
+  bool withheld = false;  // it was not, and no interim look was asked for: no test is in the report
+  std::vector<std::string> examinees{};
+  std::vector<CellResult> cells{};
+  std::vector<CellComparison> comparisons{};
+  std::vector<StimulusSummary> stimuli{};
+  std::vector<ForceCurve> curves{};  // of this run mode
+  std::vector<VoidedTrial> voided{};
+  std::vector<SessionRow> sessions{};  // of this run mode
+  std::string pooled_claim{}, people_claim{}, comparison_claim{};
+  std::vector<std::string> method{};  // the method section, a paragraph each
+  std::vector<std::string> limits{};
+};
+
+/// Computes the report of one run mode of a study. Linear in the number of trials.
+/// Throws std::invalid_argument for what cannot be answered honestly: no session of the run mode, several run
+/// modes and none named, sessions of another protocol, haptic and pseudo-haptic sessions mixed, a task or a
+/// test that this version does not know, an order of intervals that is not a fair coin, rows that contradict
+/// themselves.
+StudyReport analyse(const StudyTable& table, const ReportOptions& options = {});
+
+}  // namespace palpate::analysis

@@ -1,0 +1,31 @@
+#include "analysis/report/sentences.hpp"
+
+#include "analysis/report/method_section.hpp"
+#include "analysis/report/summary.hpp"
+
+namespace palpate::analysis {
+
+void write_sentences(const std::vector<std::string>& notes, StudyReport& report) {
+  const bool simulated = report.run_mode == "simulated";
+  const std::string people = simulated ? "simulated examinees" : "people";
+  report.banners = banners(report);
+  report.summary = summary(report);
+  report.pooled_claim =
+      "The pooled test asks whether anything but guessing is in the answers. A fair coin decided each order, "
+      "so an answer "
+      "that owes nothing to the stimulus is correct with probability 1/2, whoever gives it and however "
+      "often. A rejection "
+      "says that somebody told the conditions apart; it does not say how many do.";
+  report.people_claim =
+      "The examinee-level test counts each examinee once. A rejection says that " + people +
+      " like these answer better than by chance on the average; it does not say that every one of them does.";
+  report.comparison_claim =
+      "Cells are compared within examinees, never trial by trial, because trials under different cells are "
+      "not pairs. A "
+      "rejection says that " +
+      people + " like these do better under one of them on the average.";
+  report.method = method_section(report);
+  report.limits = limits(report, notes);
+}
+
+}  // namespace palpate::analysis

@@ -1,0 +1,226 @@
+#include "analysis/report/summary.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/words.hpp"
+
+namespace palpate::analysis {
+namespace {
+
+std::string side_in_words(const StudyDesign& design) {
+  return fmt::format("alpha {}, {}", design.alpha,
+                     design.side == "two-sided" ? "two-sided" : "one-sided: " + design.side);
+}
+
+std::string told_apart(const StudyReport& report) {
+  return fmt::format("told {} apart",
+                     report.design.conditions.empty() ? "the conditions" : listed(report.design.conditions));
+}
+
+// What a rejection says, in the direction in which it came.
+std::string rejection(const StudyReport& report, const CellResult& cell, const std::string& p) {
+  const bool better = cell.pooled->proportion > cell.pooled->chance;
+  const std::string who = report.run_mode == "simulated" ? "at least one simulated examinee" : "somebody";
+  const std::string need = fmt::format("Guessing is rejected ({}), which takes {} ({})", p,
+                                       region_in_words(*cell.critical), side_in_words(report.design));
+  if (better) return need + fmt::format(": {} {}.", who, told_apart(report));
+  return need + fmt::format(
+                    ": fewer answers are correct than guessing gives. So {} {} but named them the wrong way "
+                    "round, or the answers are coded the wrong way round.",
+                    who, told_apart(report));
+}
+
+// A one-sided test says nothing about the side where it does not look; the reader must hear of it all the
+// same.
+std::string beyond_the_plan(const StudyReport& report, const CellResult& cell) {
+  const bool greater = report.design.side == "greater";
+  return fmt::format(
+      " But the answers lie on the other side of chance, where the planned test does not look: so {} "
+      "correct answers are hardly guesses either (two-sided {}, not planned; {} interval {}). The question "
+      "may have been understood, or its answers coded, the wrong way round.",
+      greater ? "few" : "many", p_in_words(cell.pooled->p.two_sided),
+      short_percent(cell.pooled->interval.level), percent_range(cell.pooled->interval));
+}
+
+// Not rejected is not the same as not felt: say what remains possible.
+std::string no_rejection(const StudyReport& report, const CellResult& cell, const std::string& p) {
+  const std::string region = region_in_words(*cell.critical);
+  const std::string text =
+      region.empty() ? fmt::format("With {} no number of correct ones can reject guessing ({}).",
+                                   counted(cell.trials, "answer", "answers"), side_in_words(report.design))
+                     : fmt::format("Guessing is not rejected ({}), which would take {} ({}).", p, region,
+                                   side_in_words(report.design));
+  const Interval& interval = cell.pooled->interval;
+  const bool beyond = (report.design.side == "greater" && interval.upper < cell.pooled->chance) ||
+                      (report.design.side == "less" && interval.lower > cell.pooled->chance);
+  if (beyond) return text + beyond_the_plan(report, cell);
+  return text + fmt::format(
+                    " This does not show that the difference cannot be {}: {} correct is compatible with the "
+                    "answers ({} interval).",
+                    report.pseudo_haptic ? "noticed" : "felt", percent_range(interval),
+                    short_percent(interval.level));
+}
+
+double least_p(std::size_t n, Side side) {
+  return std::ldexp(1.0, (side == Side::TwoSided ? 1 : 0) - static_cast<int>(std::min<std::size_t>(n, 1000)));
+}
+
+std::string people_sentence(const StudyReport& report, const CellResult& cell) {
+  const ExamineeLevelTest& test = *cell.by_people;
+  const Side side = side_from_name(report.design.side);
+  const auto n = static_cast<long>(test.examinees);
+  if (n == 1) return " With one examinee nothing can be said about people in general.";
+  const double p = test.p.of(side);
+  const std::string spread =
+      std::isnan(test.interval.lower)
+          ? "all alike, so that no interval can be given"
+          : fmt::format("{} interval {}", short_percent(test.interval.level), percent_range(test.interval));
+  std::string text = fmt::format(" Taken examinee by examinee ({}), the mean is {} correct ({}; {}): ", n,
+                                 percent(test.mean_proportion), spread, p_in_words(p));
+  const std::string people =
+      report.run_mode == "simulated" ? "simulated examinees like these" : "people like these";
+  if (least_p(test.examinees, side) > report.design.alpha) {
+    return text + fmt::format("with {} this test cannot reach alpha {}, whatever they answer.",
+                              examinees_word(report, n), report.design.alpha);
+  }
+  if (p <= report.design.alpha) {
+    return text + fmt::format("{} answer {} than by chance on the average.", people,
+                              test.mean_proportion > test.chance ? "better" : "worse");
+  }
+  const std::string than = side == Side::Greater ? "better" : side == Side::Less ? "worse" : "otherwise";
+  return text + fmt::format("it is not shown that {} answer {} than by chance on the average.", people, than);
+}
+
+std::string sample_sentence(const StudyReport& report) {
+  long answers = 0;
+  for (const CellResult& cell : report.cells) answers += cell.trials;
+  std::string text = fmt::format("{} of {} planned {} completed the study; {} counted",
+                                 report.complete_examinees, report.planned_examinees,
+                                 report.run_mode == "simulated" ? "simulated examinees" : "examinees",
+                                 answers == 1 ? "1 answer is" : fmt::format("{} answers are", answers));
+  const auto voided = static_cast<long>(report.voided.size());
+  if (voided > 0)
+    text += fmt::format(", {} not",
+                        voided == 1 ? "1 voided trial is" : fmt::format("{} voided trials are", voided));
+  text += ".";
+  if (!report.design.question.empty()) text += fmt::format(" The question: \"{}\"", report.design.question);
+  return text;
+}
+
+}  // namespace
+
+std::string examinees_word(const StudyReport& report, long count) {
+  const std::string kind = report.run_mode == "simulated" ? "simulated " : "";
+  return counted(count, kind + "examinee", kind + "examinees");
+}
+
+std::string region_in_words(const CriticalNumber& critical) {
+  std::string text;
+  if (critical.at_most) text = fmt::format("{} or fewer", *critical.at_most);
+  if (critical.at_least) {
+    if (!text.empty()) text += ", or ";
+    text += *critical.at_least == critical.trials ? fmt::format("all {}", critical.trials)
+                                                  : fmt::format("{} or more", *critical.at_least);
+    if (*critical.at_least == critical.trials) return text + " correct";
+  }
+  return text.empty() ? text : text + fmt::format(" correct of {}", critical.trials);
+}
+
+std::string points_range(const Interval& interval) {
+  if (std::isnan(interval.lower) || std::isnan(interval.upper)) return "none";
+  const double lower = std::max(-1.0, interval.lower), upper = std::min(1.0, interval.upper);
+  return fmt::format("{:+.1f} to {:+.1f}", 100 * lower, 100 * upper);
+}
+
+std::string cell_summary(const StudyReport& report, const CellResult& cell) {
+  if (cell.trials == 0) return cell.name + ": no answers were counted.";
+  std::string text = fmt::format(
+      "{}: {} of {} {} correct ({}).", cell.name, cell.correct, counted(cell.trials, "answer", "answers"),
+      cell.correct == 1 || cell.trials == 1 ? "was" : "were",
+      percent(static_cast<double>(cell.correct) / static_cast<double>(cell.trials)));
+  if (!cell.pooled) return text;
+  const std::string p = p_in_words(cell.pooled->p.of(cell.pooled->side));
+  text += " " + (rejects(*cell.critical, cell.correct) ? rejection(report, cell, p)
+                                                       : no_rejection(report, cell, p));
+  return text + people_sentence(report, cell);
+}
+
+std::string comparison_summary(const StudyReport& report, const CellComparison& comparison) {
+  const std::string pair = fmt::format("{} against {}: ", comparison.first, comparison.second);
+  if (comparison.examinees == 0) return pair + "no examinee has answers counted under both.";
+  const double points = 100 * comparison.mean_difference;
+  std::string text =
+      pair + (points == 0
+                  ? std::string("on the average examinees have the same proportion correct under both")
+                  : fmt::format("on the average an examinee's proportion correct is {:.1f} percentage "
+                                "points {} with {}",
+                                std::abs(points), points > 0 ? "higher" : "lower", comparison.first));
+  if (!comparison.sign_flip) return text + ".";
+  const Interval& interval = comparison.sign_flip->interval;
+  text += std::isnan(interval.lower)
+              ? std::string(" (the same for every examinee, so that no interval can be given).")
+              : fmt::format(" ({} interval {}).", short_percent(interval.level), points_range(interval));
+  const bool wilcoxon = comparison.planned == "wilcoxon" && comparison.signed_rank;
+  const double p = wilcoxon ? comparison.signed_rank->p.two_sided : comparison.sign_flip->p.two_sided;
+  const std::string named = fmt::format(
+      "{}, two-sided {}", wilcoxon ? "Wilcoxon signed-rank" : "sign-flip permutation", p_in_words(p));
+  if (least_p(comparison.examinees, Side::TwoSided) > report.design.alpha) {
+    return text + fmt::format(" With {} no difference can reach alpha {} ({}).",
+                              examinees_word(report, static_cast<long>(comparison.examinees)),
+                              report.design.alpha, named);
+  }
+  if (p <= report.design.alpha)
+    return text + fmt::format(" The difference is larger than chance explains ({}).", named);
+  return text +
+         fmt::format(" A difference is not shown ({}), which does not show that there is none.", named);
+}
+
+std::vector<std::string> banners(const StudyReport& report) {
+  std::vector<std::string> banners;
+  if (report.run_mode == "simulated") {
+    banners.push_back(
+        "SIMULATED: no person took part. The answers are those of simulated observers; they say what the "
+        "program's observers do, not what people feel.");
+  }
+  if (report.run_mode == "pilot") {
+    banners.push_back(
+        "PILOT: made to try out the procedure. It is no evidence for or against the hypothesis and is "
+        "never pooled with a study.");
+  }
+  if (report.pseudo_haptic) {
+    banners.push_back(
+        fmt::format("PSEUDO-HAPTIC: no force reached the hand. The stimulus was carried by {}; the "
+                    "results say nothing about touch and are never pooled with haptic ones.",
+                    report.channel.empty() ? "a channel that the sessions do not name" : report.channel));
+  }
+  if (!report.complete) {
+    banners.push_back(fmt::format(
+        "{}: {} of {} planned examinees are complete.{}", report.withheld ? "NOT COMPLETE" : "INTERIM LOOK",
+        report.complete_examinees, report.planned_examinees,
+        report.withheld ? " No test is shown before the planned sample is reached."
+                        : " The tests below were read before the planned sample was reached; "
+                          "to stop because of them would make false positives more frequent "
+                          "than alpha."));
+  }
+  return banners;
+}
+
+std::vector<std::string> summary(const StudyReport& report) {
+  std::vector<std::string> paragraphs{sample_sentence(report)};
+  for (const CellResult& cell : report.cells) paragraphs.push_back(cell_summary(report, cell));
+  for (const CellComparison& comparison : report.comparisons) {
+    paragraphs.push_back(comparison_summary(report, comparison));
+  }
+  if (report.withheld) {
+    paragraphs.push_back(
+        "Tests, critical numbers and intervals are withheld until the planned sample is complete, so "
+        "that nobody can stop the study when it happens to look well. An interim look has to be asked "
+        "for (--interim).");
+  }
+  return paragraphs;
+}
+
+}  // namespace palpate::analysis

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/report/report.hpp"
+
+namespace palpate::analysis {
+
+// What the report says in words. Every sentence follows from the numbers already in the report.
+
+std::vector<std::string> banners(const StudyReport& report);
+std::vector<std::string> summary(const StudyReport& report);
+
+/// One paragraph on a cell: its primary test, then its examinees. True at 0 and 100 %, below chance, for one
+/// examinee and for none.
+std::string cell_summary(const StudyReport& report, const CellResult& cell);
+std::string comparison_summary(const StudyReport& report, const CellComparison& comparison);
+
+/// "37 or more of 60", "21 or fewer, or 39 or more of 60"; empty where no number is enough.
+std::string region_in_words(const CriticalNumber& critical);
+
+/// The interval of a difference of proportions in percentage points, cut to what a difference can be.
+std::string points_range(const Interval& interval);
+
+/// "examinees" or "simulated examinees".
+std::string examinees_word(const StudyReport& report, long count);
+
+}  // namespace palpate::analysis

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "analysis/report/report.hpp"
+
+namespace palpate::analysis {
+
+/// One self-contained HTML page: no script, nothing fetched, readable on paper. Everything that comes from a
+/// file is escaped.
+std::string html_report(const StudyReport& report);
+
+/// For a terminal, at most 100 columns where the words allow; control characters of names are replaced.
+std::string text_report(const StudyReport& report);
+
+/// Every number of the report. Proportions are fractions, units stand in the names, what is not there is
+/// null.
+nlohmann::ordered_json json_report(const StudyReport& report);
+
+}  // namespace palpate::analysis

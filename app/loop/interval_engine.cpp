@@ -1,0 +1,101 @@
+#include "app/loop/interval_engine.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/cycle/press.hpp"
+
+namespace palpate::app {
+namespace {
+
+constexpr double kLifted = -1e-3;      // where the hand is taken to be while it is not known [m]
+constexpr double kFarthestHand = 1.0;  // a place beyond this is no measurement [m]
+constexpr double kLargestForce = 1e6;  // a mouse has no motor to protect: only what is no force at all [N]
+constexpr GuardTimes kGuardTimes{.longest_gap = 0.2};
+
+/// Room for every cycle of an interval, so that nothing is allocated while it runs.
+std::size_t cycles_of(const IntervalLimits& limits) {
+  return static_cast<std::size_t>(std::ceil(limits.max_time / kCycleSeconds)) + 1;
+}
+
+bool plausible(double depth) {
+  return std::isfinite(depth) && std::abs(depth) <= kFarthestHand;
+}
+
+}  // namespace
+
+IntervalEngine::IntervalEngine(const sim::Model& model, const IntervalLimits& limits,
+                               const PseudoHapticCoupling& coupling)
+    : model_(&model),
+      limits_(limits),
+      coupling_(coupling),
+      scratch_(model),
+      pose_(model.probes.size()),
+      probe_{.hand = kLifted, .depth = kLifted, .previous_depth = kLifted} {
+  if (limits_.max_time > 0) trace_.reserve(cycles_of(limits_));
+  state_.hand = state_.depth = kLifted;
+}
+
+double IntervalEngine::probe_force() {
+  const sim::Probe& finger = model_->probes.front();
+  pose_.front().displacement = probe_.depth * finger.direction;
+  const sim::CycleResult result = sim::cycle(*model_, {}, pose_, scratch_);
+  force_on_finger_ = result.probe_forces.front();
+  return sim::normal_force(finger, force_on_finger_);
+}
+
+/// The hand is followed only while it is known, its input is fresh and nothing is wrong; else the finger is
+/// lifted, at no more than the largest speed, so that neither loss nor return of the input is felt as a kick.
+double IntervalEngine::target(const HandInput& hand) const {
+  const bool follow = hand.known && state_.begun && guard_.fault == Fault::None && plausible(hand.depth) &&
+                      hand.age <= kGuardTimes.longest_gap;
+  return follow ? hand.depth : kLifted;
+}
+
+void IntervalEngine::tick(const HandInput& hand, int elapsed) {
+  if (state_.over) return;
+  if (hand.known && plausible(hand.depth) && hand.depth <= 0) state_.begun = true;
+  const double force = probe_force();
+  const double step = elapsed * kCycleSeconds;
+  const double delivered = guard_force(guard_, kGuardTimes, !hand.known || plausible(hand.depth), hand.age,
+                                       force, kLargestForce, step);
+  const double share = force == 0 ? 0.0 : delivered / force;
+  if (state_.begun) record(std::isfinite(share) ? sim::Vec3(share * force_on_finger_) : sim::Vec3::Zero());
+  judge_progress();
+
+  follow_hand(coupling_, probe_, target(hand), std::isfinite(force) ? force : 0.0, step);
+  if (state_.begun) state_.tick += static_cast<std::uint32_t>(elapsed);
+  state_.hand = probe_.hand;
+  state_.depth = probe_.depth;
+  state_.force = delivered;
+  state_.fault = guard_.fault;
+}
+
+void IntervalEngine::record(const sim::Vec3& force_on_finger) {
+  if (limits_.max_time <= 0 || trace_.size() == trace_.capacity()) return;
+  const sim::Vec3 displacement = pose_.front().displacement;
+  trials::TraceSample sample;
+  sample.time = static_cast<float>(state_.tick * kCycleSeconds);
+  sample.proposed_depth = static_cast<float>(probe_.hand);
+  sample.depth = static_cast<float>(probe_.depth);
+  for (int axis = 0; axis < 3; ++axis) {
+    sample.displacement[static_cast<std::size_t>(axis)] = static_cast<float>(displacement[axis]);
+    sample.force[static_cast<std::size_t>(axis)] = static_cast<float>(force_on_finger[axis]);
+  }
+  trace_.push_back(sample);
+}
+
+/// Counts with the sample just recorded, by the rule by which the session judges the trace.
+void IntervalEngine::judge_progress() {
+  if (!state_.begun) return;
+  presses_.add(static_cast<float>(probe_.depth));
+  if (force_on_finger_.squaredNorm() > 0) deepest_ = std::max(deepest_, probe_.depth);
+  state_.presses = presses_.begun();
+  state_.may_finish = presses_.begun() >= limits_.least_presses && deepest_ >= limits_.min_depth;
+  if (limits_.max_time <= 0) return;
+  const bool presses_used = presses_.begun() >= limits_.most_presses && !presses_.pressing();
+  const bool time_used = (state_.tick + 1) * kCycleSeconds >= limits_.max_time;
+  state_.over = presses_used || time_used;
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,35 @@
+#include "app/loop/pseudo_haptic.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate::app {
+namespace {
+
+constexpr double kSmallestMove = 1e-8;  // [m]; below this a difference quotient is rounding
+
+/// The tissue's stiffness as far as the last two forces tell [N/m], never negative.
+double secant_stiffness(const DrivenProbe& probe, double force) {
+  double stiffness = 0.0;
+  if (probe.depth > kSmallestMove) stiffness = force / probe.depth;
+  const double move = probe.depth - probe.previous_depth;
+  if (std::abs(move) > kSmallestMove) stiffness = std::max(stiffness, (force - probe.previous_force) / move);
+  return std::max(stiffness, 0.0);
+}
+
+}  // namespace
+
+void follow_hand(const PseudoHapticCoupling& coupling, DrivenProbe& probe, double target, double force,
+                 double step) {
+  const double reach = coupling.largest_hand_speed * step;
+  probe.hand += std::clamp(target - probe.hand, -reach, reach);
+
+  const double a = step / coupling.lag_time;
+  const double stiffness = secant_stiffness(probe, force);
+  const double pull = probe.hand - probe.depth - force / coupling.spring;
+  probe.previous_depth = probe.depth;
+  probe.previous_force = force;
+  probe.depth += a * pull / (1 + a * (1 + stiffness / coupling.spring));
+}
+
+}  // namespace palpate::app

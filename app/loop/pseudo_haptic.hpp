@@ -1,0 +1,33 @@
+#pragma once
+
+namespace palpate::app {
+
+/// What joins the hand to the probe where no device can push back: a virtual spring. The pointer is drawn at
+/// the probe, so that stiffer tissue leaves it further behind the hand; that lag is the declared channel of a
+/// pseudo-haptic session. The constants are the same for every condition and model, and are stored with each
+/// session. Source: [Lecuyer2009].
+struct PseudoHapticCoupling {
+  double spring = 1000.0;           // k_c [N/m]
+  double lag_time = 0.010;          // tau [s]: how soon the probe follows a free hand
+  double largest_hand_speed = 0.5;  // [m/s]: a hand that jumps is followed no faster than this
+};
+
+/// Hand and probe along the direction of the press [m], positive into the tissue.
+struct DrivenProbe {
+  double hand = 0.0;
+  double depth = 0.0;           // x, of the probe
+  double previous_depth = 0.0;  // where the force was known before
+  double previous_force = 0.0;  // [N]
+};
+
+/// Moves the hand towards `target` and the probe by one step of tau x' = (h - x) - F(x)/k_c, whose rest
+/// point is the spring's equilibrium k_c (h - x) = F(x). The step is implicit in the tissue's stiffness, for
+/// which the larger of the secants to rest and to the last depth is taken: with K the tissue's stiffness an
+/// error shrinks by 1/(1 + (dt/tau)(1 + K/k_c)) a step, which is below 1 for every K >= 0, however stiff.
+/// @param target  where the hand is [m]
+/// @param force   F at probe.depth, against the press [N]
+/// @param step    dt [s]
+void follow_hand(const PseudoHapticCoupling& coupling, DrivenProbe& probe, double target, double force,
+                 double step);
+
+}  // namespace palpate::app

@@ -1,0 +1,227 @@
+import { Field } from "./field";
+import { Link } from "./link";
+import { encodeHand, Phase, Probe } from "./messages";
+import { Action, lostView, takenOverView, View, viewOf } from "./views";
+
+function element<T extends HTMLElement>(id: string): T {
+  const found = document.getElementById(id);
+  if (!found) throw new Error(`the page has no #${id}`);
+  return found as T;
+}
+
+const field = new Field(element<HTMLCanvasElement>("field"));
+const picture = element<HTMLCanvasElement>("picture");
+
+let phase: Phase | null = null;
+let onset = Infinity;   // of the question, as painted [ms, performance.now()]
+let replied = false;    // one reply a showing
+let mayFinish = false;
+let decoding = false;
+
+const link = new Link({
+  phase: show,
+  probe: showProbe,
+  frame: showFrame,
+  lost: () => showApart(lostView),
+  takenOver: () => showApart(takenOverView),
+});
+
+function show(next: Phase): void {
+  phase = next;
+  replied = false;
+  mayFinish = false;
+  onset = Infinity;
+  document.body.dataset.phase = next.phase;
+  document.body.dataset.showing = `${next.id}`;
+  showKind(next);
+  showProgress(next);
+  render(viewOf(next), next.notice);
+  picture.hidden = !next.picture;
+  field.setActive(next.phase === "interval" || next.phase === "gesture");
+  if (next.phase !== "interval" && next.phase !== "gesture") field.place(-1e-3);
+  field.draw();
+  if (next.phase === "question") startClock(next.id);
+}
+
+/** The clock starts when the question has been painted; whatever was pressed before is not an answer. */
+function startClock(id: number): void {
+  requestAnimationFrame(() => requestAnimationFrame((now) => {
+    if (phase?.id !== id) return;
+    onset = now;
+    document.body.dataset.onset = `${id}`;
+  }));
+}
+
+function showApart(view: View): void {
+  phase = null;
+  document.body.dataset.phase = "apart";
+  field.setActive(false);
+  render(view, "");
+}
+
+function showKind(next: Phase): void {
+  element("channel").hidden = !next.pseudo_haptic;
+  const mode = element("mode");
+  mode.hidden = next.run_mode === "study";
+  mode.textContent = next.run_mode === "pilot" ? "Pilot: not part of the study" : "Practice: not part of the study";
+}
+
+function showProgress(next: Phase): void {
+  const steps = element("progress-steps");
+  const within = next.block > 0 && next.phase !== "welcome" && next.phase !== "gesture";
+  element("progress").hidden = !within;
+  const finished = next.phase === "thanks" || next.phase === "end";
+  element("progress-text").textContent = finished ? "All parts done" : `Part ${next.block} of ${next.blocks}`;
+  steps.replaceChildren(...Array.from({ length: next.blocks }, (_, k) => {
+    const step = document.createElement("i");
+    step.className = finished || k + 1 < next.block ? "done" : k + 1 === next.block ? "now" : "";
+    return step;
+  }));
+}
+
+function paragraph(text: string, kind = ""): HTMLElement {
+  const p = document.createElement("p");
+  p.textContent = text;
+  p.className = kind;
+  return p;
+}
+
+function render(view: View, notice: string): void {
+  element("title").textContent = view.title;
+  const text = element("text");
+  text.replaceChildren(...(notice ? [paragraph(notice, "notice")] : []), ...view.paragraphs.map((p) => paragraph(p)));
+  if (view.list) {
+    const list = document.createElement("ol");
+    list.append(...view.list.map((item) => {
+      const li = document.createElement("li");
+      li.textContent = item;
+      return li;
+    }));
+    text.append(list);
+  }
+  element("stage").hidden = !view.stage;
+  document.body.classList.toggle("pressing", view.stage);
+  element("hint").textContent = view.hint ?? "";
+  element("live").textContent = notice ? `${notice} ${view.spoken}` : view.spoken;
+  const actions = element("actions");
+  actions.replaceChildren(...view.actions.map(button));
+  if (view.actions.some((action) => action.does === "strategy")) actions.prepend(strategyBox());
+  element("title").focus({ preventScroll: true });
+}
+
+function button(action: Action): HTMLButtonElement {
+  const made = document.createElement("button");
+  made.type = "button";
+  made.className = action.primary ? "primary" : "";
+  made.dataset.does = action.does;
+  if (action.choice) made.dataset.choice = `${action.choice}`;
+  made.disabled = action.does === "finish";
+  made.append(action.label);
+  if (action.key) {
+    const key = document.createElement("kbd");
+    key.textContent = action.key;
+    made.append(key);
+  }
+  made.addEventListener("click", (event) => act(action, event.timeStamp));
+  return made;
+}
+
+function strategyBox(): HTMLElement {
+  const label = document.createElement("label");
+  label.append("What did you pay attention to?");
+  const box = document.createElement("textarea");
+  box.id = "strategy";
+  box.rows = 4;
+  box.maxLength = 2000;
+  label.append(box);
+  return label;
+}
+
+function act(action: Action, time: number): void {
+  if (!phase || replied) return;
+  const id = phase.id;
+  switch (action.does) {
+    case "answer":
+      if (time < onset || action.choice === undefined) return;
+      link.send({ type: "answer", id, choice: action.choice, ms: time - onset });
+      break;
+    case "strategy":
+      link.send({ type: "strategy", id, text: element<HTMLTextAreaElement>("strategy").value });
+      break;
+    case "finish":
+      if (!mayFinish) return;
+      link.send({ type: "finish", id });
+      break;
+    case "continue":
+      link.send({ type: "continue", id });
+      break;
+  }
+  replied = true;
+  for (const made of document.querySelectorAll<HTMLButtonElement>("#actions button")) made.disabled = true;
+}
+
+function showProbe(probe: Probe): void {
+  if (phase?.phase !== "interval" && phase?.phase !== "gesture") return;
+  field.place(probe.depth);
+  if (phase.phase !== "interval") return;
+  element("hint").textContent = probe.over ? "" :
+      probe.begun ? "Press down, and let go again." : "Bring the pointer up to the line to begin.";
+  if (probe.mayFinish === mayFinish || replied) return;
+  mayFinish = probe.mayFinish;
+  const finish = document.querySelector<HTMLButtonElement>('button[data-does="finish"]');
+  if (finish) finish.disabled = !mayFinish;
+}
+
+function showFrame(jpeg: Blob): void {
+  if (decoding || picture.hidden) return;
+  decoding = true;
+  createImageBitmap(jpeg)
+    .then((bitmap) => {
+      picture.getContext("2d")?.drawImage(bitmap, 0, 0);
+      bitmap.close();
+    })
+    .catch(() => undefined)  // a damaged frame is followed by the next one
+    .finally(() => { decoding = false; });
+}
+
+/** Which interval a key answers with; 0 for none. */
+function choiceOf(key: string): number {
+  if (key === "1" || key === "ArrowLeft") return 1;
+  if (key === "2" || key === "ArrowRight") return 2;
+  return key === "3" ? 3 : 0;
+}
+
+function keyDown(event: KeyboardEvent): void {
+  if (event.repeat || event.ctrlKey || event.altKey || event.metaKey || !phase) return;
+  if (event.target instanceof HTMLTextAreaElement) return;
+  const choice = choiceOf(event.key);
+  if (choice > 0 && choice <= phase.intervals) return answerKey(event, choice);
+  if (event.key === " " && !(event.target instanceof HTMLButtonElement)) {
+    const action = viewOf(phase).actions.find((a) => a.key === "Space");
+    if (!action) return;
+    event.preventDefault();
+    act(action, event.timeStamp);
+  }
+}
+
+function answerKey(event: KeyboardEvent, choice: number): void {
+  if (!phase) return;
+  if (phase.phase === "question" && event.timeStamp >= onset) {
+    event.preventDefault();
+    act({ label: "", key: "", primary: true, does: "answer", choice }, event.timeStamp);
+  } else if (["interval", "pause", "question"].includes(phase.phase) && !replied) {
+    link.send({ type: "early", id: phase.id, key: event.key });
+  }
+}
+
+function everyFrame(): void {
+  if (phase && (phase.phase === "interval" || phase.phase === "gesture")) {
+    const depth = field.handDepth;
+    if (depth !== null) link.sendBinary(encodeHand(phase.id, depth));
+    field.draw();
+  }
+  requestAnimationFrame(everyFrame);
+}
+
+window.addEventListener("keydown", keyDown);
+requestAnimationFrame(everyFrame);

@@ -1,0 +1,185 @@
+// What each phase says. Plain words: an examinee reads them for the first time.
+
+import { Phase } from "./messages";
+
+export interface Action {
+  label: string;
+  key: string;     // as it is shown to the examinee
+  primary: boolean;
+  does: "continue" | "finish" | "answer" | "strategy";
+  choice?: number;
+}
+
+export interface View {
+  title: string;
+  paragraphs: string[];
+  list?: string[];
+  hint?: string;
+  stage: boolean;   // whether the field is shown
+  spoken: string;   // for the live region
+  actions: Action[];
+}
+
+const ordinals = ["", "first", "second", "third"];
+
+function nextButton(label: string): Action {
+  return { label, key: "Space", primary: true, does: "continue" };
+}
+
+function times(presses: [number, number]): string {
+  const [least, most] = presses;
+  if (least === most) return least === 1 ? "once" : `${least} times`;
+  return `${least} to ${most} times`;
+}
+
+function welcome(phase: Phase): View {
+  const paragraphs = [
+    "This is a study of a simulation, not of you. Take your time; you can stop whenever you like.",
+  ];
+  if (phase.pseudo_haptic)
+    paragraphs.push(
+      "You will not feel a force. The pointer lags behind your hand where the tissue resists: " +
+      "the more it resists, the further the pointer stays behind.");
+  return {
+    title: "Welcome",
+    paragraphs,
+    list: [
+      "First you practise the movement.",
+      `Then you press on a tissue in ${phase.intervals === 2 ? "two intervals, one after the other" : "each interval"}.`,
+      `After that you answer one question: “${phase.question}” If you are not sure, go with your impression.`,
+    ],
+    stage: false,
+    spoken: "Welcome.",
+    actions: [nextButton("I understand, begin")],
+  };
+}
+
+function gesture(): View {
+  return {
+    title: "Practise the movement",
+    paragraphs: [
+      "Move the mouse down to press, and up to let go. The line is the skin; the round pointer is your finger.",
+    ],
+    hint: "Press as often as you like. Nothing is counted here.",
+    stage: true,
+    spoken: "Practise the movement. Move the mouse down to press, and up to let go.",
+    actions: [nextButton("I am ready")],
+  };
+}
+
+function ready(phase: Phase): View {
+  return {
+    title: "Ready?",
+    paragraphs: [
+      `Press ${times(phase.presses)} in each interval, with a clear, deep press. Rest here as long as you like.`,
+    ],
+    stage: false,
+    spoken: "Ready? Start when you like.",
+    actions: [nextButton("Start")],
+  };
+}
+
+function interval(phase: Phase): View {
+  return {
+    title: `Interval ${phase.interval}`,
+    paragraphs: [],
+    stage: true,
+    spoken: `Interval ${phase.interval}. Press now.`,
+    actions: [{ label: "That is enough", key: "Space", primary: false, does: "finish" }],
+  };
+}
+
+function pause(phase: Phase): View {
+  return {
+    title: phase.interval > 1 ? `The ${ordinals[phase.interval] ?? "next"} interval follows` : "Here it comes",
+    paragraphs: ["Bring the pointer up to the line."],
+    stage: true,
+    spoken: "A short pause.",
+    actions: [],
+  };
+}
+
+function again(phase: Phase): View {
+  return {
+    title: `Interval ${phase.interval} once more`,
+    paragraphs: ["That is quite all right."],
+    stage: false,
+    spoken: `Interval ${phase.interval} is shown once more.`,
+    actions: [nextButton("Show it again")],
+  };
+}
+
+function question(phase: Phase): View {
+  const actions: Action[] = [];
+  for (let choice = 1; choice <= phase.intervals; ++choice)
+    actions.push({ label: `The ${ordinals[choice] ?? choice} interval`, key: `${choice}`, primary: true, does: "answer", choice });
+  return {
+    title: phase.question,
+    paragraphs: [],
+    hint: phase.intervals === 2 ? "Press 1 or 2, the arrow keys ← →, or click." : "Press the interval’s number, or click.",
+    stage: false,
+    spoken: `${phase.question} Press 1 for the first interval, 2 for the second.`,
+    actions,
+  };
+}
+
+function thanks(): View {
+  return {
+    title: "Thank you",
+    paragraphs: ["All your answers are saved. One last thing, if you like: how did you decide?"],
+    stage: false,
+    spoken: "Thank you. All your answers are saved.",
+    actions: [{ label: "Send and finish", key: "", primary: true, does: "strategy" }],
+  };
+}
+
+function end(): View {
+  return {
+    title: "That was all",
+    paragraphs: ["Thank you for taking part. You may close this window."],
+    stage: false,
+    spoken: "That was all. You may close this window.",
+    actions: [],
+  };
+}
+
+function fault(): View {
+  return {
+    title: "A short break",
+    paragraphs: [
+      "The simulation has stopped by itself, to be on the safe side. Please tell the person beside you.",
+      "All your answers are saved; this question will start anew.",
+    ],
+    stage: false,
+    spoken: "A short break. Please tell the person beside you.",
+    actions: [nextButton("Go on")],
+  };
+}
+
+export function viewOf(phase: Phase): View {
+  switch (phase.phase) {
+    case "welcome": return welcome(phase);
+    case "gesture": return gesture();
+    case "ready": return ready(phase);
+    case "interval": return interval(phase);
+    case "pause": return pause(phase);
+    case "again": return again(phase);
+    case "question": return question(phase);
+    case "thanks": return thanks();
+    case "end": return end();
+    case "fault": return fault();
+  }
+}
+
+function apart(title: string, paragraph: string): View {
+  return { title, paragraphs: [paragraph], stage: false, spoken: `${title}. ${paragraph}`, actions: [] };
+}
+
+export const lostView = apart(
+  "One moment, please",
+  "The connection to the program was lost. Your answers are safe. This page goes on by itself when the program " +
+  "is back; if it does not, please tell the person beside you.");
+
+export const takenOverView = apart(
+  "Open in another window",
+  "The session goes on in the window that was opened last. You may close this one.");

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/cycle/cycle.hpp"
+#include "sim/scene/model.hpp"
+#include "sim/view/picture.hpp"
+
+namespace palpate::sim {
+
+/// How a probe is drawn, whatever its pose.
+struct ProbeShape {
+  Vec3 shaft = -Vec3::UnitZ();  // towards the hand, where the bodies at rest leave room, unit length
+  double radius = 0.0;          // [m]
+  double length = 0.0;          // [m]
+};
+
+/// What stays the same in all pictures of a model, so that they can be compared and put in a row.
+struct Stage {
+  Camera
+      camera{};  // frames the bodies at rest; looks across the press and, from above, along the first shaft
+  std::vector<ProbeShape> probes{};  // in the model's order
+  double scale_bar = 0.0;            // a round length, about an eighth of the picture's width [m]
+};
+
+/// @param aspect  width of the pictures over their height
+Stage set_stage(const Model& model, double aspect);
+
+/// The bodies deformed by the loads of a cycle, and the probes where the pose holds them. A body that is
+/// pressed by a probe while there are others is translucent, for the others lie behind it.
+Picture picture_of(const Model& model, const Stage& stage, const Loads& loads, Pose pose);
+
+}  // namespace palpate::sim

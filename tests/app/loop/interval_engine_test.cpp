@@ -1,0 +1,172 @@
+#include "app/loop/interval_engine.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "app/web/messages.hpp"
+#include "tests/app/support/palpation.hpp"
+
+namespace palpate::app {
+namespace {
+
+using test::palpation;
+
+const IntervalLimits kLimits{.least_presses = 1, .most_presses = 3, .min_depth = 1e-3, .max_time = 3.0};
+
+/// Two presses of a second each, from above the skin.
+double scripted_hand(int tick) {
+  return 5e-3 - 6e-3 * std::cos(2 * std::numbers::pi * tick * kCycleSeconds);
+}
+
+IntervalEngine& drive(IntervalEngine& engine, int ticks) {
+  for (int i = 0; i < ticks; ++i) engine.tick({.depth = scripted_hand(i), .known = true});
+  return engine;
+}
+
+/// Everything that a page would be sent for the scripted path.
+std::string messages(const sim::Model& model) {
+  IntervalEngine engine(model, kLimits);
+  std::string bytes;
+  for (std::uint32_t i = 0; i < 3000; ++i) {
+    engine.tick({.depth = scripted_hand(static_cast<int>(i)), .known = true});
+    if (i % 16 == 0) bytes += encode_probe(engine.state(), i / 16);
+  }
+  return bytes;
+}
+
+// The geometrical model gives the finger the same force whatever the prostate is made of: not one byte of
+// what the page hears may differ.
+TEST(IntervalEngine, UnderSibilleSoftAndHardSendTheSameBytes) {
+  const std::string soft = messages(palpation("sibille", "1.0 MPa"));
+  EXPECT_EQ(soft, messages(palpation("sibille", "5.0 MPa")));
+  EXPECT_EQ(soft.size(), 12U * 188U);
+}
+
+TEST(IntervalEngine, UnderKurodaTheMessagesDifferInThePointersPlaceOnly) {
+  const std::string soft = messages(palpation("kuroda", "1.0 MPa"));
+  const std::string hard = messages(palpation("kuroda", "5.0 MPa"));
+  ASSERT_EQ(soft.size(), hard.size());
+  EXPECT_NE(soft, hard);  // else there were nothing to answer by
+  for (std::size_t i = 0; i < soft.size(); ++i)
+    if (i % 12 < 8) EXPECT_EQ(soft[i], hard[i]) << "byte " << i % 12 << " of message " << i / 12;
+}
+
+TEST(IntervalEngine, TheSamePathGivesTheSameTrace) {
+  const sim::Model model = palpation("kuroda", "5.0 MPa");
+  IntervalEngine first(model, kLimits), second(model, kLimits);
+  EXPECT_EQ(drive(first, 2000).trace(), drive(second, 2000).trace());
+}
+
+TEST(IntervalEngine, TheTraceHoldsHandAndProbeAndMeetsTheSessionsRule) {
+  const sim::Model model = palpation("kuroda", "1.0 MPa");
+  IntervalEngine engine(model, kLimits);
+  drive(engine, 2000);
+  const trials::ExplorationSummary summary = trials::summarise(engine.trace());
+  EXPECT_EQ(summary.presses, 2);
+  EXPECT_EQ(engine.state().presses, 2);
+  EXPECT_TRUE(engine.state().may_finish);
+  const trials::Exploration rule{.least_presses = 1, .most_presses = 3, .min_depth = 1e-3, .max_time = 3.0};
+  EXPECT_EQ(trials::judge(summary, rule), trials::Verdict::Enough);
+  for (const trials::TraceSample& sample : engine.trace())
+    if (sample.force[2] != 0) ASSERT_GT(sample.depth, 0);
+  const trials::TraceSample& deep = engine.trace().at(500);
+  EXPECT_GT(deep.proposed_depth, deep.depth);  // the probe lags behind the hand
+}
+
+TEST(IntervalEngine, BeginsOnlyOnceTheHandIsOffTheSkin) {
+  const sim::Model model = palpation("kuroda", "1.0 MPa");
+  IntervalEngine engine(model, kLimits);
+  for (int i = 0; i < 100; ++i) engine.tick({.depth = 9e-3, .known = true});
+  EXPECT_FALSE(engine.state().begun);
+  EXPECT_TRUE(engine.trace().empty());
+  EXPECT_LE(engine.state().depth, 0);
+  engine.tick({.depth = 0.0, .known = true});
+  EXPECT_TRUE(engine.state().begun);
+  EXPECT_EQ(engine.trace().size(), 1U);
+}
+
+TEST(IntervalEngine, EndsWhenTheTimeIsUsedUp) {
+  const sim::Model model = palpation("kuroda", "1.0 MPa");
+  IntervalEngine engine(model, {.least_presses = 1, .most_presses = 50, .min_depth = 1e-3, .max_time = 0.5});
+  drive(engine, 499);
+  EXPECT_FALSE(engine.state().over);
+  drive(engine, 10);
+  EXPECT_TRUE(engine.state().over);
+  EXPECT_EQ(engine.trace().size(), 500U);
+}
+
+TEST(IntervalEngine, EndsWhenTheLastPressIsLetGo) {
+  const sim::Model model = palpation("kuroda", "1.0 MPa");
+  IntervalEngine engine(model, {.least_presses = 1, .most_presses = 1, .min_depth = 1e-3, .max_time = 3.0});
+  drive(engine, 500);
+  EXPECT_FALSE(engine.state().over);  // still pressing
+  for (int i = 500; i < 1200; ++i) engine.tick({.depth = scripted_hand(i), .known = true});
+  EXPECT_TRUE(engine.state().over);
+  EXPECT_EQ(trials::summarise(engine.trace()).presses, 1);
+}
+
+class BadHand : public testing::TestWithParam<double> {};
+
+TEST_P(BadHand, EndsInAFaultWithTheForceGoneWithin20Milliseconds) {
+  const sim::Model model = palpation("kuroda", "5.0 MPa");
+  IntervalEngine engine(model, kLimits);
+  drive(engine, 500);
+  double before = engine.state().force;
+  ASSERT_GT(before, 0);
+  engine.tick({.depth = GetParam(), .known = true});
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_LE(engine.state().force, before);
+    before = engine.state().force;
+    engine.tick({.depth = 5e-3, .known = true});
+  }
+  EXPECT_EQ(engine.state().force, 0.0);
+  EXPECT_EQ(engine.state().fault, Fault::NotFinite);
+  drive(engine, 300);
+  EXPECT_EQ(engine.state().force, 0.0);  // latched
+  EXPECT_TRUE(std::isfinite(engine.state().depth));
+}
+
+INSTANTIATE_TEST_SUITE_P(Inputs, BadHand,
+                         testing::Values(std::numeric_limits<double>::quiet_NaN(),
+                                         std::numeric_limits<double>::infinity(), 1e30));
+
+// The hand is pressing, nothing is heard of it for half a second, and then it is somewhere else.
+TEST(IntervalEngine, AGapInTheInputIsNoKick) {
+  const sim::Model model = palpation("kuroda", "5.0 MPa");
+  IntervalEngine engine(model, kLimits);
+  drive(engine, 500);
+  const double held = scripted_hand(500), peak = engine.state().force;
+  double before = engine.state().depth;
+  const auto check = [&] {
+    EXPECT_LE(std::abs(engine.state().depth - before), 0.5e-3);  // the largest speed of the hand
+    EXPECT_LE(engine.state().force, peak * (1 + 1e-6));
+    before = engine.state().depth;
+  };
+  for (int i = 1; i <= 500; ++i) {
+    engine.tick({.depth = held, .age = i * kCycleSeconds, .known = true});
+    check();
+  }
+  EXPECT_LE(engine.state().depth, 0);
+  EXPECT_EQ(engine.state().force, 0.0);
+  for (int i = 0; i < 200; ++i) {
+    engine.tick({.depth = held, .known = true});
+    check();
+  }
+  EXPECT_EQ(engine.state().fault, Fault::None);
+}
+
+TEST(IntervalEngine, MissedCyclesAreWaysThatTheProbeStillGoes) {
+  const sim::Model model = palpation("kuroda", "1.0 MPa");
+  IntervalEngine engine(model, kLimits);
+  engine.tick({.depth = -1e-3, .known = true});
+  engine.tick({.depth = -1e-3, .known = true}, 5);
+  EXPECT_EQ(engine.state().tick, 6U);
+  engine.tick({.depth = -1e-3, .known = true});
+  EXPECT_FLOAT_EQ(engine.trace().back().time, 0.006F);
+}
+
+}  // namespace
+}  // namespace palpate::app

@@ -1,0 +1,106 @@
+#include "app/loop/pseudo_haptic.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace palpate::app {
+namespace {
+
+constexpr double kStep = 1e-3;  // [s]
+constexpr double kHand = 8e-3;  // [m]
+
+using Tissue = std::function<double(double depth)>;  // force against the press [N]
+
+/// The depths of a press held at kHand for a second and a half.
+std::vector<double> held_press(const Tissue& tissue, const PseudoHapticCoupling& coupling = {}) {
+  DrivenProbe probe;
+  std::vector<double> depths;
+  for (int i = 0; i < 1500; ++i) {
+    follow_hand(coupling, probe, kHand, tissue(probe.depth), kStep);
+    depths.push_back(probe.depth);
+  }
+  return depths;
+}
+
+Tissue linear(double stiffness) {
+  return [stiffness](double depth) { return std::max(0.0, stiffness * depth); };
+}
+
+class HeldAgainst : public testing::TestWithParam<double> {};
+
+// k_c (h - x) = K x has the root x = h k_c / (k_c + K), whatever K.
+TEST_P(HeldAgainst, LinearTissueRestsWhereTheSpringBalances) {
+  const double stiffness = GetParam(), spring = PseudoHapticCoupling{}.spring;
+  const auto depths = held_press(linear(stiffness));
+  const double balance = kHand * spring / (spring + stiffness);
+  EXPECT_NEAR(depths.back(), balance, 1e-9 + 1e-9 * balance);  // 150 time constants have passed
+}
+
+TEST_P(HeldAgainst, NeverOvershootsNorTrembles) {
+  const double stiffness = GetParam(), spring = PseudoHapticCoupling{}.spring;
+  const double balance = kHand * spring / (spring + stiffness);
+  double before = 0;
+  for (const double depth : held_press(linear(stiffness))) {
+    EXPECT_GE(depth, before - 1e-12);
+    // In the first steps no force is known yet and the probe may move on by a, times the hand's way in a
+    // step.
+    EXPECT_LE(depth, std::max(balance, 0.1 * 0.5e-3) + 1e-12);
+    before = std::max(before, std::min(depth, balance));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Stiffnesses, HeldAgainst, testing::Values(0.0, 1.0, 300.0, 1e3, 1e4, 1e6));
+
+// An explicit step is unstable from K = (2 tau / dt - 1) k_c on; this one may not be for any K.
+TEST(PseudoHaptic, StaysBoundedForAnyStiffness) {
+  for (double stiffness = 1e-3; stiffness < 1e13; stiffness *= 10)
+    for (const double depth : held_press(linear(stiffness))) {
+      ASSERT_TRUE(std::isfinite(depth));
+      ASSERT_LE(std::abs(depth), kHand) << stiffness << " N/m";
+    }
+}
+
+// Stiffer behind than before: the secant to rest alone underrates it 1000 times.
+TEST(PseudoHaptic, SettlesOnTissueThatStiffensSuddenly) {
+  const double spring = PseudoHapticCoupling{}.spring;
+  const Tissue tissue = [](double x) { return std::max(0.0, 100 * x) + std::max(0.0, 1e5 * (x - 4e-3)); };
+  const auto depths = held_press(tissue);
+  // k_c (h - x) = 100 x + 1e5 (x - 4 mm), solved by hand for x.
+  EXPECT_NEAR(depths.back(), (spring * kHand + 1e5 * 4e-3) / (spring + 100 + 1e5), 1e-8);
+}
+
+// The paper's contact laws jump when a pair comes or goes: no rest point need exist there. The probe then
+// stays within what one free step can move it.
+TEST(PseudoHaptic, AJumpOfTheForceIsNoKick) {
+  const Tissue tissue = [](double x) { return 500 * std::max(0.0, x) + (x > 4e-3 ? 4.0 : 0.0); };
+  const auto depths = held_press(tissue);
+  for (std::size_t i = depths.size() / 2; i < depths.size(); ++i) {
+    EXPECT_NEAR(depths[i], 4e-3, 0.5e-3);
+    EXPECT_LE(std::abs(depths[i] - depths[i - 1]), 0.5e-3);
+  }
+}
+
+TEST(PseudoHaptic, FreeHandIsFollowedWithTheStatedLag) {
+  const PseudoHapticCoupling coupling{.largest_hand_speed = 1e3};
+  DrivenProbe probe;
+  const int steps = static_cast<int>(std::lround(coupling.lag_time / kStep));
+  for (int i = 0; i < steps; ++i) follow_hand(coupling, probe, -kHand, 0.0, kStep);
+  // Implicit Euler of tau x' = h - x over one tau: h (1 - (1 + dt/tau)^-n), near h (1 - 1/e).
+  EXPECT_NEAR(probe.depth / -kHand, 1 - std::pow(1 + kStep / coupling.lag_time, -steps), 1e-12);
+}
+
+TEST(PseudoHaptic, AHandThatJumpsIsFollowedNoFasterThanStated) {
+  DrivenProbe probe;
+  follow_hand({}, probe, 1.0, 0.0, kStep);
+  EXPECT_DOUBLE_EQ(probe.hand, 0.5 * kStep);
+}
+
+TEST(PseudoHaptic, StifferTissueLagsMore) {
+  EXPECT_GT(held_press(linear(1000)).back(), held_press(linear(1100)).back());
+}
+
+}  // namespace
+}  // namespace palpate::app

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/compliance/cache.hpp"
+#include "sim/scene/model.hpp"
+#include "sim/scene/scene.hpp"
+
+namespace palpate::app::test {
+
+inline std::string palpation_scene() {
+  return std::string(PALPATE_SOURCE_DIR) + "/data/scenes/rectal-palpation.toml";
+}
+
+/// The palpation with a contact model and the prostate's modulus, e.g. ("sibille", "5.0 MPa").
+inline sim::Model palpation(const std::string& model, const std::string& modulus) {
+  static sim::ComplianceCache cache("");  // in memory, shared by all tests of a program
+  const std::vector<sim::Override> overrides = {{"contact.model", "\"" + model + "\""},
+                                                {"bodies.prostate.young_modulus", "\"" + modulus + "\""}};
+  return sim::compile(sim::load_scene(palpation_scene(), overrides), cache);
+}
+
+}  // namespace palpate::app::test

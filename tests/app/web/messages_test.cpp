@@ -1,0 +1,61 @@
+#include "app/web/messages.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace palpate::app {
+namespace {
+
+TEST(ProbeMessage, HasOneSizeAndWholeMicrometres) {
+  const std::string bytes =
+      encode_probe({.depth = 1234.4e-6, .begun = true, .may_finish = false, .over = true}, 0x01020304);
+  EXPECT_EQ(bytes, std::string("\x02\x05\0\0\x04\x03\x02\x01\xD2\x04\0\0", 12));  // 1234 = 0x04D2
+  EXPECT_EQ(encode_probe({.depth = 1e300}, 0).size(), 12U);
+}
+
+TEST(HandMessage, IsReadBack) {
+  const auto hand = parse_hand(std::string("\x01\0\0\0\x07\0\0\0\x18\xFC\xFF\xFF", 12));  // -1000 micrometres
+  ASSERT_TRUE(hand);
+  EXPECT_EQ(hand->id, 7U);
+  EXPECT_DOUBLE_EQ(hand->depth, -1e-3);
+}
+
+TEST(HandMessage, OfAnotherSizeOrKindIsNone) {
+  EXPECT_FALSE(parse_hand(""));
+  EXPECT_FALSE(parse_hand(std::string(11, '\x01')));
+  EXPECT_FALSE(parse_hand(std::string(12, '\x02')));
+}
+
+TEST(Reply, IsReadBack) {
+  const auto reply = parse_reply(R"({"type":"answer","id":9,"choice":2,"ms":812.5})");
+  ASSERT_TRUE(reply);
+  EXPECT_EQ(reply->kind, ReplyKind::Answer);
+  EXPECT_EQ(reply->choice, 2);
+  EXPECT_DOUBLE_EQ(reply->milliseconds, 812.5);
+}
+
+TEST(Reply, ThatOursNeverSendsIsNone) {
+  for (const std::string_view text :
+       {"", "[]", "{}", "{\"type\":\"answer\",\"id\":1}", R"({"type":"reveal","id":1})",
+        R"({"type":"continue"})", R"({"type":"continue","id":"1"})", R"({"type":"early","id":1,"key":2})",
+        "\xff", "{\"type\":\"continue\",\"id\":1"})
+    EXPECT_FALSE(parse_reply(text)) << text;
+  EXPECT_FALSE(parse_reply(R"({"type":"strategy","id":1,"text":")" + std::string(9000, 'x') + R"("})"));
+}
+
+TEST(PhaseMessage, SaysWhatIsToBeShownAndNothingElse) {
+  EXPECT_EQ(
+      encode(PhaseMessage{.id = 3,
+                          .phase = "question",
+                          .block = 1,
+                          .blocks = 2,
+                          .question = "Which?",
+                          .run_mode = "pilot",
+                          .presses = {1, 5}}),
+      R"({"type":"phase","id":3,"phase":"question","interval":0,"intervals":2,"block":1,"blocks":2,)"
+      R"("question":"Which?","run_mode":"pilot","pseudo_haptic":true,"picture":false,"notice":"","presses":[1,5]})");
+}
+
+}  // namespace
+}  // namespace palpate::app

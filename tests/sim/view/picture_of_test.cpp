@@ -1,0 +1,115 @@
+#include "sim/view/picture_of.hpp"
+
+#include <gmock/gmock.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "sim/cycle/press.hpp"
+#include "tests/sim/support/two_boxes.hpp"
+
+namespace palpate::sim {
+namespace {
+
+using test::compile_scene;
+using test::write_two_boxes;
+
+constexpr double kAspect = 4.0 / 3.0;
+
+Model rectal_palpation() {
+  return compile_scene(std::filesystem::path(PALPATE_SOURCE_DIR) / "data/scenes/rectal-palpation.toml");
+}
+
+Picture pressed(const Model& model, double depth) {
+  const std::vector<ProbePose> pose = pose_at_depth(model, depth);
+  Scratch scratch(model);
+  EXPECT_EQ(cycle(model, {}, pose, scratch).solve.stop, Stop::Converged);
+  return picture_of(model, set_stage(model, kAspect), scratch.loads(), pose);
+}
+
+TEST(PictureOf, ShowsEveryBodyAtRest) {
+  const Model model = compile_scene(write_two_boxes());
+  const Picture picture = pressed(model, 0.0);
+  ASSERT_EQ(picture.bodies.size(), 2U);
+  for (std::size_t b = 0; b < 2; ++b) {
+    EXPECT_EQ(picture.bodies[b].name, model.bodies[b].name);
+    for (std::size_t i = 0; i < model.bodies[b].mesh->nodes.size(); ++i)
+      EXPECT_EQ(picture.bodies[b].positions.col(static_cast<Eigen::Index>(i)),
+                model.bodies[b].mesh->nodes[i].cast<float>());
+  }
+}
+
+TEST(PictureOf, HeldNodeGoesWithTheProbeAndFixedNodesStay) {
+  const Model model = compile_scene(write_two_boxes());
+  const double depth = 1e-3;
+  const Picture picture = pressed(model, depth);
+  const Probe& probe = model.probes.front();
+  const auto pressed_body = static_cast<std::size_t>(probe.body);
+  const int held =
+      model.bodies[pressed_body].compliance->touch[static_cast<std::size_t>(probe.nodes.front())];
+  const Vec3 expected = probe.at + depth * probe.direction;
+  // 1e-5 of the depth: pictures are made in single precision
+  EXPECT_LT((picture.bodies[pressed_body].positions.col(held).cast<double>() - expected).norm(),
+            1e-5 * depth);
+  EXPECT_LT((picture.probes.front().touch - expected).norm(), 1e-15);
+  for (std::size_t b = 0; b < 2; ++b)
+    for (const int node : model.bodies[b].fixed)
+      EXPECT_EQ(picture.bodies[b].positions.col(node),
+                model.bodies[b].mesh->nodes[static_cast<std::size_t>(node)].cast<float>());
+}
+
+TEST(PictureOf, PressedBodyIsTranslucentWhileThereAreOthers) {
+  const std::filesystem::path scene = write_two_boxes();
+  const Picture both = pressed(compile_scene(scene), 0.0);
+  EXPECT_EQ(std::ranges::count_if(both.bodies, [](const DrawnBody& body) { return body.opacity < 1; }), 1);
+  const Override alone[] = {{"bodies.lower.present", "false"}};
+  const Picture one = pressed(compile_scene(scene, alone), 0.0);
+  ASSERT_EQ(one.bodies.size(), 1U);
+  EXPECT_EQ(one.bodies[0].opacity, 1.0F);
+}
+
+TEST(SetStage, EveryNodeIsInThePictureAndFillsIt) {
+  for (const Model& model : {rectal_palpation(), compile_scene(write_two_boxes())}) {
+    const Camera camera = set_stage(model, kAspect).camera;
+    const Vec3 back = (camera.eye - camera.target).normalized(), right = camera.up.cross(back).normalized();
+    const double half = std::tan(camera.field_of_view / 2);
+    double widest = 0.0;  // in half pictures
+    for (const Body& body : model.bodies)
+      for (const int node : body.surface->nodes) {
+        const Vec3 p = body.mesh->nodes[static_cast<std::size_t>(node)] - camera.eye;
+        ASSERT_GT(-back.dot(p), 0.0);
+        const double x = std::abs(right.dot(p)) / -back.dot(p) / (half * kAspect);
+        const double y = std::abs(back.cross(right).dot(p)) / -back.dot(p) / half;
+        widest = std::max({widest, x, y});
+      }
+    EXPECT_LT(widest, 0.95);
+    EXPECT_GT(widest, 0.70);  // no body lost in a wide margin
+  }
+}
+
+TEST(SetStage, ProbeIsHeldFromWhereNothingIsInItsWay) {
+  const Model boxes = compile_scene(write_two_boxes());
+  EXPECT_LT((set_stage(boxes, kAspect).probes.front().shaft + boxes.probes.front().direction).norm(), 1e-12);
+
+  const Model organs = rectal_palpation();  // a finger inside a tube: it leaves by an end
+  const Stage stage = set_stage(organs, kAspect);
+  const ProbeShape& shape = stage.probes.front();
+  const Vec3 end = organs.probes.front().at - shape.radius * organs.probes.front().direction;
+  EXPECT_GT(shape.length, 0.02);
+  for (const Body& body : organs.bodies)
+    for (const int node : body.surface->nodes) {
+      const Vec3 from_end = body.mesh->nodes[static_cast<std::size_t>(node)] - end;
+      const Vec3 nearest = std::clamp(from_end.dot(shape.shaft), 0.0, shape.length) * shape.shaft;
+      EXPECT_GE((from_end - nearest).norm(), 0.999 * shape.radius);
+    }
+}
+
+TEST(SetStage, ScaleBarIsARoundLength) {
+  const double bar = set_stage(rectal_palpation(), kAspect).scale_bar;
+  EXPECT_NEAR(bar, 0.010, 1e-12);  // the organs are 3 to 8 cm long
+}
+
+}  // namespace
+}  // namespace palpate::sim

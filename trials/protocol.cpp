@@ -1,0 +1,91 @@
+#include "trials/protocol.hpp"
+
+#include <fmt/format.h>
+
+namespace palpate::trials {
+namespace {
+
+/// Levels of each factor in cell number `cell`, the last factor fastest.
+std::vector<std::size_t> levels_of(const std::vector<Factor>& factors, std::size_t cell) {
+  std::vector<std::size_t> levels(factors.size());
+  for (std::size_t i = factors.size(); i-- > 0;) {
+    levels[i] = cell % factors[i].levels.size();
+    cell /= factors[i].levels.size();
+  }
+  return levels;
+}
+
+Cell make_cell(const std::vector<Factor>& factors, std::size_t number) {
+  Cell cell{.name = factors.empty() ? "all" : "", .levels = levels_of(factors, number)};
+  for (std::size_t i = 0; i < factors.size(); ++i)
+    cell.name += (i > 0 ? ", " : "") + factors[i].levels[cell.levels[i]];
+  return cell;
+}
+
+Stimulus make_stimulus(const Protocol& protocol, std::size_t cell, std::size_t condition) {
+  Stimulus stimulus{.cell = cell, .condition = condition, .overrides = {}};
+  for (std::size_t i = 0; i < protocol.factors.size(); ++i) {
+    const Factor& factor = protocol.factors[i];
+    stimulus.overrides.push_back({factor.key, factor.values[protocol.cells[cell].levels[i]]});
+  }
+  const auto& changes = protocol.conditions[condition].overrides;
+  stimulus.overrides.insert(stimulus.overrides.end(), changes.begin(), changes.end());
+  return stimulus;
+}
+
+}  // namespace
+
+int intervals_per_trial(const Protocol& protocol) {
+  return static_cast<int>(protocol.pair.size());
+}
+
+int trials_per_session(const Protocol& protocol) {
+  return static_cast<int>(protocol.cells.size()) * protocol.trials_per_examinee_per_cell;
+}
+
+std::size_t stimulus_index(const Protocol& protocol, std::size_t cell, std::size_t condition) {
+  return cell * protocol.conditions.size() + condition;
+}
+
+void expand(Protocol& protocol) {
+  protocol.cells.clear();
+  protocol.stimuli.clear();
+  std::size_t count = 1;
+  for (const Factor& factor : protocol.factors) count *= factor.levels.size();
+  for (std::size_t cell = 0; cell < count; ++cell) {
+    protocol.cells.push_back(make_cell(protocol.factors, cell));
+    for (std::size_t condition = 0; condition < protocol.conditions.size(); ++condition)
+      protocol.stimuli.push_back(make_stimulus(protocol, cell, condition));
+  }
+}
+
+PlanSummary describe(const Protocol& protocol) {
+  PlanSummary summary;
+  summary.trials_per_session = trials_per_session(protocol);
+  summary.planned_examinees = protocol.planned_examinees;
+  summary.trials_per_cell = protocol.planned_examinees * protocol.trials_per_examinee_per_cell;
+  for (const Cell& cell : protocol.cells) summary.cells.push_back(cell.name);
+  summary.best_guess = 1.0 / intervals_per_trial(protocol);  // independent fair flips: no rule does better
+  summary.order = fmt::format(
+      "All {} trials of a sitting come in one random order, whatever their cell. Before each trial a fair "
+      "coin "
+      "decides which interval holds \"{}\"; flips are independent, so that whoever feels nothing is right in "
+      "{:.0f} % "
+      "of the trials whatever rule is followed, and may be right or wrong many times in a row.",
+      summary.trials_per_session, protocol.conditions[protocol.correct].name, 100 * summary.best_guess);
+  return summary;
+}
+
+std::string_view to_string(DuringInterval display) {
+  switch (display) {
+    case DuringInterval::Hidden:
+      return "hidden";
+    case DuringInterval::Probe:
+      return "probe";
+    case DuringInterval::Organs:
+      return "organs";
+  }
+  return "";
+}
+
+}  // namespace palpate::trials
