@@ -7,7 +7,9 @@ namespace {
 
 volatile std::sig_atomic_t raised = 0;
 
-extern "C" void raise_flag(int) { raised = 1; }
+extern "C" void raise_flag(int) {
+  raised = 1;
+}
 
 }  // namespace
 
@@ -18,6 +20,8 @@ void catch_interrupts() {
   ::sigaction(SIGTERM, &action, nullptr);
 }
 
-bool interrupted() { return raised != 0; }
+bool interrupted() {
+  return raised != 0;
+}
 
 }  // namespace palpate::app

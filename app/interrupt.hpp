@@ -2,11 +2,9 @@
 
 namespace palpate::app {
 
-/// From here on Ctrl-C (SIGINT) and SIGTERM only raise a flag, so that work can stop where everything is on the disk.
+/// From here on Ctrl-C (SIGINT) and SIGTERM only raise a flag, so that work can stop where everything is on
+/// the disk.
 void catch_interrupts();
 bool interrupted();
-
-/// Thrown when work stopped on request: exit code 130.
-struct Interrupted {};
 
 }  // namespace palpate::app

@@ -1,43 +1,27 @@
 #include "app/simulation.hpp"
 
 #include <fmt/format.h>
-#include <sys/utsname.h>
 
 #include <cstdlib>
-#include <fstream>
-#include <thread>
 
+#include "app/commands/commands.hpp"
 #include "app/interrupt.hpp"
+#include "app/machine.hpp"
 #include "app/progress.hpp"
 
 namespace palpate::app {
-namespace {
-
-std::string processor() {
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);)
-    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
-  return "unknown processor";
-}
-
-}  // namespace
 
 std::filesystem::path default_observer() {
   const char* data = std::getenv("PALPATE_DATA");  // NOLINT(concurrency-mt-unsafe): nothing here sets it
   return std::filesystem::path(data ? data : PALPATE_SOURCE_DIR) / "protocols/observers/default.toml";
 }
 
-std::string describe_machine() {
-  utsname system{};
-  ::uname(&system);
-  return fmt::format("{} {} {}, {}, {} cores", system.sysname, system.release, system.machine, processor(),
-                     std::thread::hardware_concurrency());
-}
-
-SimulationResult run_simulation(const std::filesystem::path& protocol_file, const std::filesystem::path& study_file,
-                                int examinees, const std::filesystem::path& observer, trials::Seed seed) {
+SimulationResult run_simulation(const std::filesystem::path& protocol_file,
+                                const std::filesystem::path& study_file, int examinees,
+                                const std::filesystem::path& observer, trials::Seed seed) {
   const trials::Protocol protocol = trials::load_protocol(protocol_file);
-  trials::SimulationPlan plan{.examinees = examinees, .observer = trials::load_observer(observer), .seed = seed};
+  trials::SimulationPlan plan{
+      .examinees = examinees, .observer = trials::load_observer(observer), .seed = seed};
   plan.software_version = PALPATE_VERSION;
   plan.machine = describe_machine();
   trials::check_simulation(study_file, protocol, plan);

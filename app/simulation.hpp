@@ -7,8 +7,8 @@
 
 namespace palpate::app {
 
-/// The observer that is simulated where none is named: protocols/observers/default.toml beside the program's source,
-/// or $PALPATE_DATA/protocols/observers/default.toml.
+/// The observer that is simulated where none is named: protocols/observers/default.toml beside the program's
+/// source, or $PALPATE_DATA/protocols/observers/default.toml.
 std::filesystem::path default_observer();
 
 struct SimulationResult {
@@ -16,12 +16,9 @@ struct SimulationResult {
   trials::Receipt receipt{};
 };
 
-/// Validates everything, then runs simulated examinees into the study file, with a progress bar. Words about the work
-/// go to stderr. Throws Interrupted after Ctrl-C, when all that was answered is on the disk.
+/// Validates everything, then runs simulated examinees into the study file, with a progress bar. Words about
+/// the work go to stderr. Throws Interrupted after Ctrl-C, when all that was answered is on the disk.
 SimulationResult run_simulation(const std::filesystem::path& protocol, const std::filesystem::path& study,
                                 int examinees, const std::filesystem::path& observer, trials::Seed seed);
-
-/// This machine in a line: system, processor, cores.
-std::string describe_machine();
 
 }  // namespace palpate::app

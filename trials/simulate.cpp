@@ -24,8 +24,8 @@ std::string purpose(const SessionRow& sitting, const DrawnTrial& drawn, std::str
                      drawn.trial.number, drawn.draw);
 }
 
-/// Without a seed a person is drawn from the study's own random identity, so as to be the same person when the
-/// sitting is resumed.
+/// Without a seed a person is drawn from the study's own random identity, so as to be the same person when
+/// the sitting is resumed.
 Seed person_seed(const StudyFile& study, const SimulationPlan& plan) {
   return plan.seed ? plan.seed : std::stoull(study.study().uuid.substr(0, 16), nullptr, 16);
 }
@@ -171,8 +171,9 @@ SimulationReport simulate(StudyFile& study, const Protocol& protocol, const Stim
     for (std::size_t i = first; i < std::min(first + side_by_side, numbers.size()); ++i) {
       Session session = start_session(study, protocol, simulated_facts(plan, numbers[i]));
       total -= trials_per_session(protocol) - static_cast<int>(session.pending().size());
-      auto played = std::async(std::launch::async, play_all, std::cref(protocol), std::cref(stimuli),
-                               std::cref(plan.observer), person_seed(study, plan), session.row(), session.pending());
+      auto played =
+          std::async(std::launch::async, play_all, std::cref(protocol), std::cref(stimuli),
+                     std::cref(plan.observer), person_seed(study, plan), session.row(), session.pending());
       sittings.push_back({std::move(session), std::move(played)});
     }
     for (Sitting& sitting : sittings) {

@@ -14,7 +14,9 @@ template <class Number>
 Value value_of(const std::optional<Number>& value) {
   return value ? Value(*value) : Value();
 }
-Value number(std::int64_t value) { return value; }
+Value number(std::int64_t value) {
+  return value;
+}
 
 /// A factor's key as a column: contact.model -> contact_model.
 std::string column_name(std::string key) {
@@ -63,7 +65,8 @@ const DrawnTrial& drawn_for(const std::vector<DrawnTrial>& trials, const AnswerR
     return drawn.trial.number == answer.trial && drawn.draw == answer.draw;
   });
   if (found == trials.end())
-    throw std::invalid_argument("the study file is damaged: an answer has no trial; `palpate verify` tells more");
+    throw std::invalid_argument(
+        "the study file is damaged: an answer has no trial; `palpate verify` tells more");
   return *found;
 }
 
@@ -87,8 +90,13 @@ std::vector<Column> presentation_columns() {
 
 /// Levels are missing with constant stimuli: the condition says what was presented.
 std::vector<Value> presentation_row(const SessionRow& session, const PresentationRow& p) {
-  std::vector<Value> row{session.facts.examinee, number(session.number), number(p.trial), number(p.interval),
-                         p.condition,            Value(),                Value()};
+  std::vector<Value> row{session.facts.examinee,
+                         number(session.number),
+                         number(p.trial),
+                         number(p.interval),
+                         p.condition,
+                         Value(),
+                         Value()};
   if (!p.complete) {
     row.resize(presentation_columns().size());
     return row;
@@ -106,7 +114,8 @@ std::vector<Value> presentation_row(const SessionRow& session, const Presentatio
 }
 
 bool counted(const PresentationRow& p, const std::vector<AnswerRow>& answers) {
-  return p.verdict == to_string(Verdict::Enough) && std::ranges::any_of(answers, [&](const AnswerRow& answer) {
+  return p.verdict == to_string(Verdict::Enough) &&
+         std::ranges::any_of(answers, [&](const AnswerRow& answer) {
            return answer.trial == p.trial && answer.draw == p.draw;
          });
 }
@@ -133,10 +142,13 @@ Table trial_table(const StudyFile& study) {
     for (const AnswerRow& answer : study.answers(session.id)) {
       const Trial& trial = drawn_for(trials, answer).trial;
       const auto reason = reasons.find({session.id, answer.trial});
-      std::vector<Value> row{session.facts.examinee, number(session.number),
-                             number(trial.block),    number(trial.number),
+      std::vector<Value> row{session.facts.examinee,
+                             number(session.number),
+                             number(trial.block),
+                             number(trial.number),
                              std::string(to_string(session.facts.run_mode)),
-                             design.task,            design.procedure};
+                             design.task,
+                             design.procedure};
       for (std::size_t i = 0; i < design.factors.size(); ++i)
         row.push_back(design.factors[i].levels[design.cells[trial.cell].levels[i]]);
       const std::vector<Value> rest{number(trial.correct_interval),

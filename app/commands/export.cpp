@@ -65,16 +65,19 @@ std::vector<NamedText> write_json(const trials::StudyRow& study, const std::vect
 
 void run(const Options& options) {
   if (options.as != "csv" && options.as != "json")
-    throw std::invalid_argument(fmt::format("--as: {} is not in this version; accepted: csv, json", options.as));
+    throw std::invalid_argument(
+        fmt::format("--as: {} is not in this version; accepted: csv, json", options.as));
   const trials::StudyFile study = trials::read_study(options.study);
-  const std::vector tables{trials::trial_table(study), trials::interval_table(study), trials::exposure_table(study)};
+  const std::vector tables{trials::trial_table(study), trials::interval_table(study),
+                           trials::exposure_table(study)};
   const auto files = options.as == "csv" ? write_csv(tables) : write_json(study.study(), tables);
 
   const std::filesystem::path folder = options.out;
   for (const NamedText& file : files)
     if (std::filesystem::exists(folder / file.file))
       throw std::invalid_argument(
-          fmt::format("{}: is there already and is not overwritten; accepted: another folder", (folder / file.file).string()));
+          fmt::format("{}: is there already and is not overwritten; accepted: another folder",
+                      (folder / file.file).string()));
   std::filesystem::create_directories(folder);
   for (const NamedText& file : files) {
     sim::write_atomically(folder / file.file, file.text);
@@ -91,10 +94,12 @@ void add_export(CLI::App& app) {
   command->add_option("--as", options->as, "Format")
       ->required()
       ->check(CLI::IsMember({"csv", "json", "psych-ds", "bids"}));
-  command->add_option("--out", options->out, "Folder for the files; nothing in it is overwritten")->required();
+  command->add_option("--out", options->out, "Folder for the files; nothing in it is overwritten")
+      ->required();
   command->footer(
       "Example:\n  palpate export study.db --as csv --out exported\n"
-      "trials: one row an answer; intervals: what was felt before it; exposures: what was shown but did not count.");
+      "trials: one row an answer; intervals: what was felt before it; exposures: what was shown but did not "
+      "count.");
   command->callback([options] { run(*options); });
 }
 

@@ -33,8 +33,8 @@ void run(const Options& options) {
     fmt::print("{}\n", json.dump(1));
     return;
   }
-  fmt::print("{}: {} simulated examinees added, {} resumed, {} had finished before; {} answers given\n", options.study,
-             report.added, report.resumed, report.finished_before, report.answers);
+  fmt::print("{}: {} simulated examinees added, {} resumed, {} had finished before; {} answers given\n",
+             options.study, report.added, report.resumed, report.finished_before, report.answers);
   fmt::print("receipt {}\n", trials::to_string(result.receipt));
 }
 
@@ -42,8 +42,8 @@ void run(const Options& options) {
 
 void add_simulate(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      app.add_subcommand("simulate", "Runs a study with simulated examinees, until the file holds as many as asked for");
+  CLI::App* command = app.add_subcommand(
+      "simulate", "Runs a study with simulated examinees, until the file holds as many as asked for");
   command->add_option("protocol", options->protocol, "Protocol (TOML)")->required();
   command->add_option("--study", options->study, "Study file; made where there is none")->required();
   command->add_option("--examinees", options->examinees, "How many the study holds in the end")
@@ -51,7 +51,8 @@ void add_simulate(CLI::App& app) {
       ->check(CLI::Range(1, 100000));
   command->add_option("--observer", options->observer,
                       "What they are like (TOML); else protocols/observers/default.toml");
-  command->add_option("--seed", options->seed, "Makes orders and answers repeatable; else the system's entropy");
+  command->add_option("--seed", options->seed,
+                      "Makes orders and answers repeatable; else the system's entropy");
   add_format(*command, options->format);
   command->footer(
       "Example:\n  palpate simulate protocols/kuroda2003.toml --study simulated.db --examinees 15 --seed 1\n"

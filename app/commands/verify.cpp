@@ -43,22 +43,23 @@ void run(const Options& options) {
   else
     print_text(options, report);
   if (!report.problems.empty())
-    throw std::invalid_argument(fmt::format("{}: the study file is not whole: {}", options.study,
-                                            report.problems.size() == 1
-                                                ? "1 problem"
-                                                : fmt::format("{} problems", report.problems.size())));
+    throw std::invalid_argument(fmt::format(
+        "{}: the study file is not whole: {}", options.study,
+        report.problems.size() == 1 ? "1 problem" : fmt::format("{} problems", report.problems.size())));
 }
 
 }  // namespace
 
 void add_verify(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("verify", "Checks that a study file is whole and was not tampered with");
+  CLI::App* command =
+      app.add_subcommand("verify", "Checks that a study file is whole and was not tampered with");
   command->add_option("study", options->study, "Study file")->required();
   command->add_option("--receipt", options->receipt,
                       "A receipt printed at a session's end: also finds later rewriting or cutting back");
   add_format(*command, options->format);
-  command->footer("Example:\n  palpate verify study.db --receipt 120-9f86d0...\nExit code 1: something is wrong.");
+  command->footer(
+      "Example:\n  palpate verify study.db --receipt 120-9f86d0...\nExit code 1: something is wrong.");
   command->callback([options] { run(*options); });
 }
 
