@@ -28,6 +28,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", PALPATE_VERSION);
   app.require_subcommand(0, 1);
   palpate::app::add_check(app);
+  palpate::app::add_cost(app);
   palpate::app::add_export(app);
   palpate::app::add_mesh(app);
   palpate::app::add_press(app);

@@ -11,6 +11,7 @@ struct Interrupted {};
 // std::invalid_argument (exit code 1), a machine or device that fails as std::runtime_error or
 // std::system_error (exit code 3).
 void add_check(CLI::App& app);
+void add_cost(CLI::App& app);
 void add_export(CLI::App& app);
 void add_mesh(CLI::App& app);
 void add_press(CLI::App& app);

@@ -49,7 +49,7 @@ struct Reply {
   std::uint32_t id = 0;        // of the showing that it replies to
   int choice = 0;              // of an answer
   double milliseconds = -1.0;  // of an answer: from the question's onset, as the page measured
-  std::string text;            // the key, or the strategy
+  std::string text{};          // the key, or the strategy
 };
 /// Nothing for text that is no reply: a page of ours never sends it.
 std::optional<Reply> parse_reply(std::string_view text);

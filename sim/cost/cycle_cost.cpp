@@ -1,0 +1,160 @@
+#include "sim/cost/cycle_cost.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+
+#include "sim/cycle/press.hpp"
+#include "sim/pairing/find_pairs.hpp"
+
+namespace palpate::sim {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double microseconds_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
+}
+
+struct PressPose {
+  double depth = 0.0;  // [m]
+  std::vector<ProbePose> pose{};
+};
+
+/// Whether the bodies, moved by the probes alone, have come together: whatever contact model then works.
+bool bodies_touch(const Model& alone, Pose pose, Scratch& scratch) {
+  cycle(alone, {}, pose, scratch);
+  FreeMotion motion = rest_motion(alone);
+  for (std::size_t i = 0; i < motion.size(); ++i) {
+    motion[i].displacement = scratch.displacement(static_cast<int>(i));
+    motion[i].moved = true;
+  }
+  place(alone, motion);
+  Pairs pairs;
+  find_pairs(alone, motion, pairs);
+  return !pairs.empty();
+}
+
+/// From shallow to deep: those at which bodies touch, or all if there are none of these.
+std::vector<PressPose> poses_to_time(const Model& alone, const CostOptions& options, bool& touching) {
+  Scratch scratch(alone);
+  std::vector<PressPose> all, together;
+  for (int step = 1; step <= options.poses; ++step) {
+    const double depth = options.depth * step / options.poses;
+    all.push_back({depth, pose_at_depth(alone, depth)});
+    if (bodies_touch(alone, all.back().pose, scratch)) together.push_back(all.back());
+  }
+  touching = !together.empty();
+  return touching ? together : all;
+}
+
+Model with_law(Model model, ContactModel law) {
+  model.law = law;
+  return model;
+}
+
+double median_read(const ContactSet& set) {
+  constexpr int kReads = 2001;
+  std::vector<double> times;
+  double sum = 0.0;
+  for (int i = 0; i < kReads; ++i) {
+    const auto start = Clock::now();
+    sum += read_once(set);
+    times.push_back(microseconds_since(start));
+  }
+  if (!std::isfinite(sum)) throw std::runtime_error("the compliance holds numbers that are not finite");
+  return spread_of(std::move(times)).median;
+}
+
+/// There and back: 0, 1, ..., n - 1, n - 2, ..., 1.
+std::size_t to_and_fro(int cycle_number, std::size_t poses) {
+  if (poses == 1) return 0;
+  const std::size_t at = static_cast<std::size_t>(cycle_number) % (2 * poses - 2);
+  return at < poses ? at : 2 * poses - 2 - at;
+}
+
+}  // namespace
+
+Spread spread_of(std::vector<double> microseconds) {
+  if (microseconds.empty()) throw std::invalid_argument("the spread of no times at all");
+  std::ranges::sort(microseconds);
+  const auto at = [&](double share) {
+    const double rank = std::ceil(share * static_cast<double>(microseconds.size()));
+    return microseconds[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
+  };
+  return {.median = at(0.5), .p99 = at(0.99), .p999 = at(0.999), .slowest = microseconds.back()};
+}
+
+ContactSet final_contact_set(const Model& model, Pose pose, const Loads& loads) {
+  ContactSet set;
+  std::vector<std::vector<char>>
+      by_probe;  // nodes that a pressing probe loads: its own columns hold what they do
+  for (const Body& body : model.bodies) by_probe.emplace_back(static_cast<std::size_t>(body.rest.cols()), 0);
+  for (std::size_t i = 0; i < model.probes.size(); ++i) {
+    const Probe& probe = model.probes[i];
+    if (!(pose[i].displacement.dot(probe.direction) > 0.0)) continue;
+    set.columns.push_back({&probe.compliance, 0, probe.compliance.cols()});
+    for (const int node : probe.nodes)
+      by_probe[static_cast<std::size_t>(probe.body)][static_cast<std::size_t>(node)] = 1;
+  }
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    for (Eigen::Index node = 0; node < model.bodies[b].rest.cols(); ++node)
+      if (!by_probe[b][static_cast<std::size_t>(node)] && !loads.on_body[b].segment<3>(3 * node).isZero(0.0))
+        set.columns.push_back({&model.bodies[b].compliance->touch_touch, 3 * node, 3});
+  for (const ContactSet::Columns& part : set.columns)
+    set.bytes += sizeof(double) * static_cast<std::size_t>(part.matrix->rows() * part.count);
+  return set;
+}
+
+double read_once(const ContactSet& set) {
+  double sum = 0.0;
+  for (const ContactSet::Columns& part : set.columns)
+    sum += part.matrix->middleCols(part.first, part.count).sum();
+  return sum;
+}
+
+CycleCost measure_cycle(const Model& model, ContactModel law, const CostOptions& options) {
+  if (!(options.depth > 0.0)) throw std::invalid_argument("a press of depth 0 has no cost to measure");
+  const Model alone = with_law(model, ContactModel::None), whole = with_law(model, law);
+  CycleCost cost{.law = law};
+  const std::vector<PressPose> poses = poses_to_time(alone, options, cost.touching);
+  Scratch alone_scratch(alone), scratch(whole);
+
+  std::vector<double> deformation, interaction, total;
+  std::vector<std::vector<double>> by_pose(poses.size());
+  const auto started = Clock::now();
+  const int warm_up = 2 * static_cast<int>(poses.size());
+  for (int i = 0; i < warm_up + options.most_cycles; ++i) {
+    if (microseconds_since(started) > 1e6 * options.most_seconds && i > 2 * warm_up) break;
+    const std::size_t p = to_and_fro(i, poses.size());
+    const auto start = Clock::now();
+    cycle(alone, {}, poses[p].pose, alone_scratch);
+    const double by_probes = microseconds_since(start);
+    const auto again = Clock::now();
+    cycle(whole, {}, poses[p].pose, scratch);
+    const double all = microseconds_since(again);
+    if (i < warm_up) continue;
+    deformation.push_back(by_probes);
+    interaction.push_back(all - by_probes);
+    total.push_back(all);
+    by_pose[p].push_back(all);
+  }
+  cost.cycles = static_cast<int>(total.size());
+  cost.deformation = spread_of(std::move(deformation));
+  cost.interaction = spread_of(std::move(interaction));
+  cost.total = spread_of(std::move(total));
+  for (std::size_t p = 0; p < poses.size(); ++p) {
+    cost.depths.push_back(poses[p].depth);
+    cost.depth_medians.push_back(spread_of(std::move(by_pose[p])).median);
+  }
+
+  const CycleResult deepest = cycle(whole, {}, poses.back().pose, scratch);
+  for (const PairSummary& pair : deepest.pairs) cost.active += pair.active;
+  const ContactSet set = final_contact_set(whole, poses.back().pose, scratch.loads());
+  cost.limit_bytes = set.bytes;
+  cost.limit = median_read(set);
+  return cost;
+}
+
+}  // namespace palpate::sim
