@@ -12,8 +12,10 @@ struct Interrupted {};
 // std::system_error (exit code 3).
 void add_check(CLI::App& app);
 void add_mesh(CLI::App& app);
+void add_plan(CLI::App& app);
 void add_press(CLI::App& app);
 void add_render(CLI::App& app);
+void add_report(CLI::App& app);
 void add_run(CLI::App& app);
 void add_stats(CLI::App& app);
 
