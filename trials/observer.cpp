@@ -1,5 +1,6 @@
 #include "trials/observer.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cassert>
 #include <cmath>

@@ -104,9 +104,13 @@ TEST_F(StudyFileTest, RefusesAFolderThatIsMissing) {
 TEST_F(StudyFileTest, RefusesAFolderThatCannotBeWritten) {
   std::filesystem::permissions(folder_.path(), static_cast<std::filesystem::perms>(0555));
   const bool root = ::geteuid() == 0;
-  if (root) ASSERT_EQ(::seteuid(65534), 0);
+  if (root) {
+    ASSERT_EQ(::seteuid(65534), 0);
+  }
   const std::string said = test::message_of<std::system_error>([&] { open(); });
-  if (root) ASSERT_EQ(::seteuid(0), 0);
+  if (root) {
+    ASSERT_EQ(::seteuid(0), 0);
+  }
   std::filesystem::permissions(folder_.path(), std::filesystem::perms::owner_all);
   EXPECT_THAT(said, HasSubstr(folder_.path().string() + ": cannot be written: Permission denied"));
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));

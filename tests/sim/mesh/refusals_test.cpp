@@ -83,7 +83,7 @@ TEST(Refusals, Truncated) {
 
 TEST(Refusals, MoreClaimedThanTheFileCanHold) {
   EXPECT_EQ(refusal(replaced(cube(), "$Elements\n6", "$Elements\n1000000000")),
-            "body.msh:15: 1000000000 elements are claimed, but the 125 bytes that are left in the file can "
+            "body.msh:16: 1000000000 elements are claimed, but the 122 bytes that are left in the file can "
             "hold 15 at most");
   EXPECT_THAT(refusal(replaced(cube(), "$Nodes\n8", "$Nodes\n99999999999999")),
               HasSubstr("nodes are claimed"));
@@ -96,12 +96,12 @@ TEST(Refusals, MoreClaimedThanTheFileCanHold) {
 
 TEST(Refusals, FewerThanClaimed) {
   EXPECT_THAT(refusal(replaced(cube(), "$Elements\n6", "$Elements\n5")),
-              StartsWith("body.msh:21: found '6' where $EndElements is expected"));
+              StartsWith("body.msh:22: found '6' where $EndElements is expected"));
 }
 
 TEST(Refusals, UnknownAndRepeatedNodes) {
   EXPECT_EQ(refusal(replaced(cube(), "1 4 2 0 1 1 ", "1 4 2 0 1 99 ")),
-            "body.msh:16: found an element on node 99; $Nodes holds 8 nodes, numbered 1 to 8");
+            "body.msh:17: found an element on node 99; $Nodes holds 8 nodes, numbered 1 to 8");
   EXPECT_THAT(refusal(replaced(cube(), "\n2 1 0 0", "\n1 1 0 0")),
               HasSubstr("$Nodes gives node 1 twice; each number is accepted once"));
   EXPECT_THAT(refusal(replaced(cube(), "\n2 1 0 0", "\n-2 1 0 0")),
@@ -113,7 +113,7 @@ TEST(Refusals, ElementsThatABodyIsNotMadeOf) {
               AllOf(HasSubstr("element type 8 (3-node line)"), HasSubstr("gmsh FILE.geo -3 -order 1")));
   EXPECT_THAT(refusal(replaced(cube(), "1 4 2", "1 11 2")), HasSubstr("(10-node tetrahedron)"));
   EXPECT_THAT(refusal(replaced(cube(), "1 4 2", "1 5 2")),
-              AllOf(StartsWith("body.msh:16: found element type 5 (8-node hexahedron)"),
+              AllOf(StartsWith("body.msh:17: found element type 5 (8-node hexahedron)"),
                     HasSubstr("fill the body with tetrahedra")));
   EXPECT_THAT(refusal(replaced(cube(), "1 4 2", "1 777 2")), HasSubstr("found element type 777;"));
 }
@@ -126,7 +126,7 @@ TEST(Refusals, NoTetrahedron) {
 
 TEST(Refusals, OneTetrahedronTwice) {
   EXPECT_THAT(refusal(replaced(cube(), "2 4 2 0 1 1 3 7 8", "2 4 2 0 1 4 1 8 2")),
-              AllOf(StartsWith("body.msh:17: the tetrahedron of nodes"), HasSubstr("is given twice")));
+              AllOf(StartsWith("body.msh:18: the tetrahedron of nodes"), HasSubstr("is given twice")));
 }
 
 TEST(Refusals, CollapsedTetrahedron) {
