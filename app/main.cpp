@@ -31,8 +31,10 @@ int main(int argc, char** argv) {
   palpate::app::add_cost(app);
   palpate::app::add_export(app);
   palpate::app::add_mesh(app);
+  palpate::app::add_plan(app);
   palpate::app::add_press(app);
   palpate::app::add_render(app);
+  palpate::app::add_report(app);
   palpate::app::add_run(app);
   palpate::app::add_simulate(app);
   palpate::app::add_stats(app);
