@@ -64,8 +64,8 @@ TEST(Protocol, StimuliAreScenesWithCellAndConditionInPlace) {
 TEST(Protocol, OverridesMayBeAnyValueOfTheScene) {
   for (const auto& [text, value] : std::vector<std::pair<std::string, std::string>>{
            {"present\" = false", "false"},
-           {"poisson_ratio\" = 0.3", "0.3"},
-           {"offset\" = [\"0 mm\", \"0 mm\", \"1 mm\"]", "[ \"0 mm\", \"0 mm\", \"1 mm\" ]"}}) {
+           {"poisson_ratio\" = 0.25", "0.25"},
+           {"offset\" = [\"0 mm\", \"0 mm\", \"1 mm\"]", "[ '0 mm', '0 mm', '1 mm' ]"}}) {
     const test::Folder folder;
     test::write(folder / "p.toml", test::with(test::shipped_text(), "young_modulus\" = \"5.0 MPa\"", text));
     EXPECT_EQ(load_protocol(folder / "p.toml").conditions[1].overrides.at(0).value, value);
