@@ -38,12 +38,19 @@ export async function run(...words) {
 
 /** palpate run, until it prints its link. */
 export class Program {
+  static all = [];
   out = "";
   err = "";
+
+  /** Whatever a test that failed has left behind. */
+  static endAll() {
+    for (const program of Program.all) program.child.kill("SIGKILL");
+  }
 
   static async start(...words) {
     const program = new Program();
     program.child = spawn(palpate, ["run", ...words, "--no-browser"]);
+    Program.all.push(program);
     program.ended = once(program.child, "close").then(([code, signal]) => ({ code, signal }));
     program.child.stderr.on("data", (data) => { program.err += data; });
     await new Promise((resolve, reject) => {

@@ -13,7 +13,10 @@ const folder = mkdtempSync(join(tmpdir(), "palpate-browser-"));
 let browser;
 
 before(async () => { browser = await launchBrowser(); });
-after(async () => { await browser.close(); });
+after(async () => {
+  Program.endAll();
+  await browser.close();
+});
 
 function begin(study, ...words) {
   return Program.start(protocol, "--study", join(folder, study), ...words);
@@ -214,7 +217,7 @@ test("strangers are turned away", async () => {
   assert.equal(await status(link, { headers: { Origin: "http://evil.example" } }), 403);
   assert.equal(await status(link, { path: "/" }), 403);
   assert.equal(await status(link, { path: `/${"0".repeat(48)}/` }), 403);
-  assert.equal(await status(link, { path: `${pathname}../../etc/passwd` }), 403);
+  assert.equal(await status(link, { path: `${pathname}../../etc/passwd` }), 404);
   assert.equal(await status(link, { path: `${pathname}secret` }), 404);
   assert.equal(await status(link, { method: "POST" }), 405);
   assert.equal(await status(link, { path: live, headers: upgrade }), 403, "no origin");
