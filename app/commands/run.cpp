@@ -68,7 +68,7 @@ void run(const Options& options) {
 
 void add_run(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("run", "Run a session with a person, in the browser");
+  CLI::App* command = app.add_subcommand("run", "Runs a session with a person, in the browser");
   command->add_option("protocol", options->protocol, "Protocol file (.toml)")->required();
   command->add_option("--study", options->study, "Study file; made if there is none")->required();
   command->add_option("--examinee", options->examinee, "The examinee's code (never a name), e.g. P01")

@@ -6,15 +6,14 @@
 namespace palpate::app {
 namespace {
 
-constexpr double kSmallestMove = 1e-8;  // [m]; below this a difference quotient is rounding
+constexpr double kSmallestMove = 1e-8;  // [m]; a difference quotient over less is rounding
 
 /// The tissue's stiffness as far as the last two forces tell [N/m], never negative.
 double secant_stiffness(const DrivenProbe& probe, double force) {
-  double stiffness = 0.0;
-  if (probe.depth > kSmallestMove) stiffness = force / probe.depth;
+  double stiffness = probe.depth > 0 && force > 0 ? force / probe.depth : 0.0;
   const double move = probe.depth - probe.previous_depth;
   if (std::abs(move) > kSmallestMove) stiffness = std::max(stiffness, (force - probe.previous_force) / move);
-  return std::max(stiffness, 0.0);
+  return stiffness;
 }
 
 }  // namespace
