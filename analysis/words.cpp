@@ -24,17 +24,29 @@ std::string number(double value) {
   return fmt::format("{:.4g}", value == 0 ? 0.0 : value);  // no "-0"
 }
 
+std::string decimals(double value, int count) {
+  if (!std::isfinite(value)) return number(value);
+  const std::string text = fmt::format("{:.{}f}", value, count);
+  const bool zero = text.find_first_not_of("-0.") == std::string::npos;
+  return zero && text.starts_with('-') ? text.substr(1) : text;
+}
+
 std::string percent_range(const Interval& interval) {
+  if (std::isnan(interval.lower) || std::isnan(interval.upper)) return "none";
   return percent(interval.lower) + " to " + percent(interval.upper);
 }
 
 std::string range(const Interval& interval) {
+  return range(interval, [](double value) { return number(value); });
+}
+
+std::string range(const Interval& interval, const std::function<std::string(double)>& written) {
   const bool below = std::isinf(interval.lower), above = std::isinf(interval.upper);
-  if (std::isnan(interval.lower) || std::isnan(interval.upper)) return "n/a";
+  if (std::isnan(interval.lower) || std::isnan(interval.upper)) return "none";
   if (below && above) return "any value";
-  if (below) return "up to " + number(interval.upper);
-  if (above) return number(interval.lower) + " and more";
-  return number(interval.lower) + " to " + number(interval.upper);
+  if (below) return "up to " + written(interval.upper);
+  if (above) return written(interval.lower) + " and more";
+  return written(interval.lower) + " to " + written(interval.upper);
 }
 
 std::string short_percent(double proportion) {

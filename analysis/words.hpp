@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,11 +20,16 @@ std::string percent(double proportion);
 /// Four significant digits without exponent where that is short: "0.6746", "52", "infinite", "n/a".
 std::string number(double value);
 
-/// "55.0 % to 79.7 %".
+/// A fixed number of decimals: "1.57", "-0.42"; "infinite", "n/a".
+std::string decimals(double value, int count);
+
+/// "55.0 % to 79.7 %"; "none" where an interval could not be given.
 std::string percent_range(const Interval& interval);
 
-/// "0.179 to 1.177", "more than 2.33" or "any value" where ends are open, in the unit of the estimate.
+/// "0.179 to 1.177", "2.33 and more", "up to 3" or "any value" where ends are open, "none"
+/// where no interval could be given; in the unit of the estimate.
 std::string range(const Interval& interval);
+std::string range(const Interval& interval, const std::function<std::string(double)>& written);
 
 /// "95 %": a confidence level or a proportion without needless decimals.
 std::string short_percent(double proportion);

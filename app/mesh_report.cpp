@@ -35,7 +35,8 @@ std::string text_of_groups(const sim::TetMesh& mesh) {
   for (const auto& [name, nodes] : mesh.node_groups) width = std::max(width, name.size());
   std::string text = "Groups of nodes\n";
   for (const auto& [name, nodes] : mesh.node_groups)
-    text += fmt::format("  {:<{}}  {:>7} nodes\n", name, width, nodes.size());
+    text +=
+        fmt::format("  {:<{}}  {:>7} {}\n", name, width, nodes.size(), nodes.size() == 1 ? "node" : "nodes");
   if (mesh.node_groups.empty()) text += "  none\n";
   if (mesh.region_names.empty()) return text;
   text += "Regions\n";

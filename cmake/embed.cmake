@@ -1,7 +1,8 @@
-# Writes OUT, a C++ file that holds the bytes of FILES ("name=path;name=path") for app/web/page_files.hpp.
+# Writes OUT, a C++ file that holds the bytes of FILES ("name=path|name=path") for app/web/page_files.hpp.
 set(text "#include \"app/web/page_files.hpp\"\n\nnamespace palpate::app {\nnamespace {\n")
 set(table "")
 set(k 0)
+string(REPLACE "|" ";" FILES "${FILES}")
 foreach(entry IN LISTS FILES)
   string(REGEX MATCH "^([^=]+)=(.*)$" _ "${entry}")
   set(name ${CMAKE_MATCH_1})

@@ -51,6 +51,7 @@ class Session {
   std::size_t stimulus() const;
   const Trial& trial() const;                      // that is asked
   const std::vector<DrawnTrial>& pending() const;  // unanswered trials, the one that is asked first
+  int remaining_trials() const { return static_cast<int>(pending().size()); }
   const SessionRow& row() const;
 
   /// Ready or Pause -> Interval. Stores that the interval was begun, so that a kill leaves the exposure

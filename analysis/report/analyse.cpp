@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <map>
 #include <stdexcept>
+#include <tuple>
 
 #include "analysis/report/report.hpp"
 #include "analysis/report/select.hpp"
@@ -117,10 +118,14 @@ std::vector<StimulusSummary> summarise_stimuli(const StudyDesign& design, const 
     StimulusSummary summary{};
     Mean presses{}, exploration{}, force{}, depth{};
   };
-  std::map<std::pair<std::size_t, std::string>, Sums> stimuli;
+  const auto place = [&](const std::string& condition) {  // in the protocol's order
+    return std::find(design.conditions.begin(), design.conditions.end(), condition) -
+           design.conditions.begin();
+  };
+  std::map<std::tuple<std::size_t, std::ptrdiff_t, std::string>, Sums> stimuli;
   for (const TrialRow* trial : selection.trials) {
     for (const IntervalRow& interval : trial->intervals) {
-      Sums& sums = stimuli[{trial->cell, interval.condition}];
+      Sums& sums = stimuli[{trial->cell, place(interval.condition), interval.condition}];
       ++sums.summary.intervals;
       sums.presses.add(interval.n_presses);
       sums.exploration.add(interval.exploration_time_s);
@@ -135,8 +140,8 @@ std::vector<StimulusSummary> summarise_stimuli(const StudyDesign& design, const 
   }
   std::vector<StimulusSummary> summaries;
   for (auto& [key, sums] : stimuli) {
-    sums.summary.cell = design.cells[key.first].name;
-    sums.summary.condition = key.second;
+    sums.summary.cell = design.cells[std::get<0>(key)].name;
+    sums.summary.condition = std::get<2>(key);
     sums.summary.mean_presses = sums.presses.value().value_or(0.0);
     sums.summary.mean_exploration_s = sums.exploration.value();
     sums.summary.mean_peak_force_n = sums.force.value();

@@ -24,39 +24,44 @@ std::string told_apart(const StudyReport& report) {
 std::string rejection(const StudyReport& report, const CellResult& cell, const std::string& p) {
   const bool better = cell.pooled->proportion > cell.pooled->chance;
   const std::string who = report.run_mode == "simulated" ? "at least one simulated examinee" : "somebody";
-  const std::string need = fmt::format("Guessing is rejected by {} ({}; {})", region_in_words(*cell.critical),
-                                       side_in_words(report.design), p);
+  const std::string need = fmt::format("Guessing is rejected ({}), which takes {} ({})", p,
+                                       region_in_words(*cell.critical), side_in_words(report.design));
   if (better) return need + fmt::format(": {} {}.", who, told_apart(report));
   return need + fmt::format(
-                    ", but in the wrong direction: fewer answers are correct than guessing gives. {} {} and "
-                    "named them the wrong way round, or the answers are coded the wrong way round.",
-                    report.run_mode == "simulated" ? "At least one simulated examinee" : "Somebody",
-                    told_apart(report));
+                    ": fewer answers are correct than guessing gives. So {} {} but named them the wrong way "
+                    "round, or the answers are coded the wrong way round.",
+                    who, told_apart(report));
+}
+
+// A one-sided test says nothing about the side where it does not look; the reader must hear of it all the
+// same.
+std::string beyond_the_plan(const StudyReport& report, const CellResult& cell) {
+  const bool greater = report.design.side == "greater";
+  return fmt::format(
+      " But the answers lie on the other side of chance, where the planned test does not look: so {} "
+      "correct answers are hardly guesses either (two-sided {}, not planned; {} interval {}). The question "
+      "may have been understood, or its answers coded, the wrong way round.",
+      greater ? "few" : "many", p_in_words(cell.pooled->p.two_sided),
+      short_percent(cell.pooled->interval.level), percent_range(cell.pooled->interval));
 }
 
 // Not rejected is not the same as not felt: say what remains possible.
 std::string no_rejection(const StudyReport& report, const CellResult& cell, const std::string& p) {
   const std::string region = region_in_words(*cell.critical);
-  std::string text =
+  const std::string text =
       region.empty() ? fmt::format("With {} no number of correct ones can reject guessing ({}).",
                                    counted(cell.trials, "answer", "answers"), side_in_words(report.design))
-                     : fmt::format("Guessing is not rejected ({}): that would take {} ({}).", p, region,
+                     : fmt::format("Guessing is not rejected ({}), which would take {} ({}).", p, region,
                                    side_in_words(report.design));
-  text += fmt::format(
-      " This does not show that the difference cannot be felt: proportions correct of {} remain "
-      "compatible with the answers ({} interval).",
-      percent_range(cell.pooled->interval), short_percent(cell.pooled->interval.level));
-  const bool unforeseen =
-      (report.design.side == "greater" && cell.pooled->interval.upper < cell.pooled->chance) ||
-      (report.design.side == "less" && cell.pooled->interval.lower > cell.pooled->chance);
-  if (unforeseen) {
-    text += fmt::format(
-        " The answers lie far on the other side of chance, where the planned test does not look "
-        "(two-sided {}, not a planned test): the question may have been understood, or its answers "
-        "coded, the wrong way round.",
-        p_in_words(cell.pooled->p.two_sided));
-  }
-  return text;
+  const Interval& interval = cell.pooled->interval;
+  const bool beyond = (report.design.side == "greater" && interval.upper < cell.pooled->chance) ||
+                      (report.design.side == "less" && interval.lower > cell.pooled->chance);
+  if (beyond) return text + beyond_the_plan(report, cell);
+  return text + fmt::format(
+                    " This does not show that the difference cannot be {}: {} correct is compatible with the "
+                    "answers ({} interval).",
+                    report.pseudo_haptic ? "noticed" : "felt", percent_range(interval),
+                    short_percent(interval.level));
 }
 
 double least_p(std::size_t n, Side side) {
@@ -69,10 +74,12 @@ std::string people_sentence(const StudyReport& report, const CellResult& cell) {
   const auto n = static_cast<long>(test.examinees);
   if (n == 1) return " With one examinee nothing can be said about people in general.";
   const double p = test.p.of(side);
-  std::string text =
-      fmt::format(" Taken examinee by examinee ({}), the mean is {} correct ({} interval {}; {}): ", n,
-                  percent(test.mean_proportion), short_percent(test.interval.level),
-                  percent_range(test.interval), p_in_words(p));
+  const std::string spread =
+      std::isnan(test.interval.lower)
+          ? "all alike, so that no interval can be given"
+          : fmt::format("{} interval {}", short_percent(test.interval.level), percent_range(test.interval));
+  std::string text = fmt::format(" Taken examinee by examinee ({}), the mean is {} correct ({}; {}): ", n,
+                                 percent(test.mean_proportion), spread, p_in_words(p));
   const std::string people =
       report.run_mode == "simulated" ? "simulated examinees like these" : "people like these";
   if (least_p(test.examinees, side) > report.design.alpha) {
@@ -83,8 +90,8 @@ std::string people_sentence(const StudyReport& report, const CellResult& cell) {
     return text + fmt::format("{} answer {} than by chance on the average.", people,
                               test.mean_proportion > test.chance ? "better" : "worse");
   }
-  return text +
-         fmt::format("it is not shown that {} answer otherwise than by chance on the average.", people);
+  const std::string than = side == Side::Greater ? "better" : side == Side::Less ? "worse" : "otherwise";
+  return text + fmt::format("it is not shown that {} answer {} than by chance on the average.", people, than);
 }
 
 std::string sample_sentence(const StudyReport& report) {
@@ -123,16 +130,17 @@ std::string region_in_words(const CriticalNumber& critical) {
 }
 
 std::string points_range(const Interval& interval) {
+  if (std::isnan(interval.lower) || std::isnan(interval.upper)) return "none";
   const double lower = std::max(-1.0, interval.lower), upper = std::min(1.0, interval.upper);
   return fmt::format("{:+.1f} to {:+.1f}", 100 * lower, 100 * upper);
 }
 
 std::string cell_summary(const StudyReport& report, const CellResult& cell) {
   if (cell.trials == 0) return cell.name + ": no answers were counted.";
-  std::string text =
-      fmt::format("{}: {} of {} correct ({}).", cell.name, cell.correct,
-                  counted(cell.trials, "answer was", "answers were"),
-                  percent(static_cast<double>(cell.correct) / static_cast<double>(cell.trials)));
+  std::string text = fmt::format(
+      "{}: {} of {} {} correct ({}).", cell.name, cell.correct, counted(cell.trials, "answer", "answers"),
+      cell.correct == 1 || cell.trials == 1 ? "was" : "were",
+      percent(static_cast<double>(cell.correct) / static_cast<double>(cell.trials)));
   if (!cell.pooled) return text;
   const std::string p = p_in_words(cell.pooled->p.of(cell.pooled->side));
   text += " " + (rejects(*cell.critical, cell.correct) ? rejection(report, cell, p)
@@ -151,8 +159,10 @@ std::string comparison_summary(const StudyReport& report, const CellComparison& 
                                 "points {} with {}",
                                 std::abs(points), points > 0 ? "higher" : "lower", comparison.first));
   if (!comparison.sign_flip) return text + ".";
-  text += fmt::format(" ({} interval {}).", short_percent(comparison.sign_flip->interval.level),
-                      points_range(comparison.sign_flip->interval));
+  const Interval& interval = comparison.sign_flip->interval;
+  text += std::isnan(interval.lower)
+              ? std::string(" (the same for every examinee, so that no interval can be given).")
+              : fmt::format(" ({} interval {}).", short_percent(interval.level), points_range(interval));
   const bool wilcoxon = comparison.planned == "wilcoxon" && comparison.signed_rank;
   const double p = wilcoxon ? comparison.signed_rank->p.two_sided : comparison.sign_flip->p.two_sided;
   const std::string named = fmt::format(

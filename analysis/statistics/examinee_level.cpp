@@ -27,8 +27,8 @@ ExamineeLevelTest examinee_level_test(std::span<const ExamineeCount> counts, dou
   result.p = result.test.p;
   result.mean_proportion = chance + result.test.mean;
   result.interval = result.test.interval;
-  result.interval.lower = std::max(0.0, chance + result.test.interval.lower);
-  result.interval.upper = std::min(1.0, chance + result.test.interval.upper);
+  result.interval.lower = std::max(chance + result.test.interval.lower, 0.0);  // a NaN in front stays NaN
+  result.interval.upper = std::min(chance + result.test.interval.upper, 1.0);
   double squares = 0.0;
   for (const double value : above) squares += (value - result.test.mean) * (value - result.test.mean);
   if (above.size() > 1) result.deviation = std::sqrt(squares / static_cast<double>(above.size() - 1));

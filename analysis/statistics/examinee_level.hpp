@@ -19,7 +19,7 @@ struct ExamineeLevelTest {
   double mean_proportion = 0.0;  // each examinee counts the same, however many trials
   double deviation = 0.0;        // standard deviation of the proportions; 0 with one examinee
   PValues p{};
-  Interval interval{};  // for the mean proportion, by inverting the test, cut to 0..1
+  Interval interval{};  // for the mean proportion, by inverting the test, cut to 0..1; NaN when all are alike
   SignFlipTest test{};  // on (proportion - chance)
   Method method{};
 };

@@ -29,7 +29,7 @@ struct SignFlipTest {
 /// either sign with probability 1/2. The statistic is the sum. Exact for up to 20 differences, and for more
 /// that are whole steps of a common unit (1 down to 1/240) as long as n times the sum of all steps is below
 /// 5e7; else a seeded Monte Carlo with the add-one rule [PhipsonSmyth2010], of fewer resamples than asked
-/// where n times resamples exceeds 1e8 (the result says how many). Sums that agree to 1e-9 of the sum of
+/// where n times resamples exceeds 5e7 (the result says how many). Sums that agree to 1e-9 of the sum of
 /// magnitudes count as equal. The interval holds the shifts that the test does not reject: order statistics
 /// of the means of all subsets [Hartigan1969] (n <= 20), or of a seeded sample of them. Throws
 /// std::invalid_argument for no differences, one that is not finite, or resamples < 999.

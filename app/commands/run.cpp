@@ -16,7 +16,7 @@ namespace palpate::app {
 namespace {
 
 struct Options {
-  std::string protocol, study, examinee;
+  std::string protocol, study, examinee, device;
   bool pilot = false, practice = false, new_session = false, no_browser = false;
   std::uint16_t port = 0;
 };
@@ -28,18 +28,16 @@ trials::SessionFacts facts_of(const Options& options) {
                                          : trials::RunMode::Study,
           .software_version = PALPATE_VERSION,
           .machine = describe_machine(),
-          .device = "mouse",
+          .device = options.device,
           .pseudo_haptic = true,
           .channel = "pointer lag"};
 }
 
-Stimuli compile_all(const trials::Protocol& protocol) {
+Organs prepare_organs(const trials::Protocol& protocol) {
   std::fputs("Preparing the organs...\n", stderr);
   sim::ComplianceCache cache(sim::ComplianceCache::default_folder());
-  Stimuli stimuli{.models = {}, .practice = sim::compile(sim::load_scene(protocol.scene_file), cache)};
-  for (const trials::Stimulus& stimulus : protocol.stimuli)
-    stimuli.models.push_back(sim::compile(sim::load_scene(protocol.scene_file, stimulus.overrides), cache));
-  return stimuli;
+  return {.stimuli = trials::compile_stimuli(protocol, cache),
+          .practice = sim::compile(sim::load_scene(protocol.scene_file), cache)};
 }
 
 /// Everything that can fail is tried before the study file is touched.
@@ -47,7 +45,7 @@ void run(const Options& options) {
   const trials::Protocol protocol = trials::load_protocol(options.protocol);
   const trials::SessionFacts facts = facts_of(options);
   trials::check_start(options.study, protocol, facts, options.new_session);
-  const Stimuli stimuli = compile_all(protocol);
+  const Organs organs = prepare_organs(protocol);
   Host host({.port = options.port, .open_browser = !options.no_browser});
 
   trials::StudyFile study = trials::open_study(options.study, protocol, PALPATE_VERSION);
@@ -55,11 +53,11 @@ void run(const Options& options) {
   const int all = trials::trials_per_session(protocol);
   if (session.view().resumed)
     fmt::print(stderr, "{} has an unfinished session: it goes on, {} of {} questions are answered.\n",
-               options.examinee, all - session.remaining_trials(), all);
+               options.examinee, static_cast<std::size_t>(all) - session.pending().size(), all);
 
-  const HostEnd end = host.lead(session, protocol, stimuli);
+  const HostEnd end = host.lead(session, protocol, organs);
   fmt::print("{}: {} of {} questions answered, all saved in {}\n", options.examinee,
-             all - session.remaining_trials(), all, options.study);
+             static_cast<std::size_t>(all) - session.pending().size(), all, options.study);
   fmt::print("receipt {}\n", trials::to_string(session.receipt()));
   if (end == HostEnd::Complete) return;
   fmt::print(stderr, "The session is paused; the same command takes it up again.\n");
@@ -81,6 +79,9 @@ void add_run(CLI::App& app) {
       ->excludes(pilot);
   command->add_flag("--new-session", options->new_session, "Begin one more session of this examinee");
   command->add_flag("--no-browser", options->no_browser, "Print the link and open nothing");
+  command->add_option("--device", options->device, "What presses; in this version a mouse")
+      ->check(CLI::IsMember({"mouse"}))
+      ->default_val("mouse");
   command->add_option("--port", options->port, "Port on 127.0.0.1 (default: one that is free)");
   command->footer(
       "Without a haptic device the mouse presses: the session is pseudo-haptic and is marked so.\n"

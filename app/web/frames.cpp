@@ -74,7 +74,7 @@ void FrameStream::draw() {
 
 void FrameStream::draw_model(const sim::Model& model) {
   sim::Renderer renderer(kFrameWidth, kFrameHeight);
-  const sim::Stage stage = sim::set_stage(model);
+  const sim::Stage stage = sim::set_stage(model, double(kFrameWidth) / kFrameHeight);
   sim::Scratch scratch(model);
   std::vector<sim::ProbePose> pose(model.probes.size());
   auto due = Clock::now();

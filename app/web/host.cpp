@@ -47,6 +47,7 @@ struct Host::State {
   }
 
   void poll_at(std::chrono::steady_clock::time_point when);
+  void stop_if_alone(std::chrono::steady_clock::time_point now);
   void stop_after(std::chrono::milliseconds time);
   void announce(const HapticLoop& loop);
 
@@ -54,7 +55,7 @@ struct Host::State {
   asio::io_context io;
   asio::signal_set signals{io, SIGINT, SIGTERM, SIGHUP};
   asio::steady_timer poll_timer{io}, stop_timer{io};
-  bool stopping = false;
+  std::optional<std::chrono::steady_clock::time_point> alone_since;
   Server server;
   std::optional<Sitting> sitting;
 };
@@ -64,18 +65,22 @@ void Host::State::poll_at(std::chrono::steady_clock::time_point when) {
   poll_timer.async_wait([this, when](boost::system::error_code error) {
     if (error) return;
     sitting->poll(when);
-    if (sitting->complete() && !server.connected()) stop_after(kPageMayReturn);
+    stop_if_alone(when);
     poll_at(std::max(when + kPollPeriod, std::chrono::steady_clock::now()));
   });
 }
 
+/// All is answered and nobody is there to say how: the last page was closed.
+void Host::State::stop_if_alone(std::chrono::steady_clock::time_point now) {
+  if (!sitting->complete() || server.connected()) return alone_since.reset();
+  if (!alone_since) alone_since = now;
+  if (now - *alone_since > kPageMayReturn) io.stop();
+}
+
 void Host::State::stop_after(std::chrono::milliseconds time) {
-  if (std::exchange(stopping, true)) return;
   stop_timer.expires_after(time);
   stop_timer.async_wait([this](boost::system::error_code error) {
-    if (error) return;
-    if (server.connected() && stopping && !sitting->complete()) return;
-    io.stop();
+    if (!error) io.stop();
   });
 }
 
@@ -96,14 +101,14 @@ void Host::State::announce(const HapticLoop& loop) {
 Host::Host(const HostOptions& options) : state_(std::make_unique<State>(options)) {}
 Host::~Host() = default;
 
-HostEnd Host::lead(trials::Session& session, const trials::Protocol& protocol, const Stimuli& stimuli) {
+HostEnd Host::lead(trials::Session& session, const trials::Protocol& protocol, const Organs& organs) {
   State& state = *state_;
   HapticLoop loop;
   FrameStream frames(loop.state_snapshot(), [&state](std::string jpeg) {
     asio::post(state.io, [&state, bytes = encode_frame(jpeg)] { state.server.send_binary(bytes); });
   });
   state.sitting.emplace(
-      session, protocol, stimuli, loop, &frames,
+      session, protocol, organs, loop, &frames,
       Outlets{.text = [&](std::string message) { state.server.send_text(std::move(message)); },
               .binary = [&](std::string message) { state.server.send_binary(std::move(message)); },
               .technician = say,

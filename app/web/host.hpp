@@ -26,7 +26,7 @@ class Host {
 
   /// Leads the examinee through `session`, until every question is answered or the technician stops (Ctrl-C:
   /// what was being felt is stored as cut off).
-  HostEnd lead(trials::Session& session, const trials::Protocol& protocol, const Stimuli& stimuli);
+  HostEnd lead(trials::Session& session, const trials::Protocol& protocol, const Organs& organs);
 
  private:
   struct State;

@@ -16,16 +16,16 @@ namespace palpate::app {
 
 /// What is to be shown. Nothing here depends on condition, model or correct answer.
 struct PhaseMessage {
-  std::uint32_t id = 0;    // of this showing
-  std::string_view phase;  // "welcome", "gesture", "ready", "interval", "pause", "again", "question",
-                           // "thanks", "end", "fault"
+  std::uint32_t id = 0;      // of this showing
+  std::string_view phase{};  // "welcome", "gesture", "ready", "interval", "pause", "again", "question",
+                             // "thanks", "end", "fault"
   int interval = 0, intervals = 2;
   int block = 0, blocks = 0;
-  std::string question;
-  std::string_view run_mode;
+  std::string question{};
+  std::string_view run_mode{};
   bool pseudo_haptic = true;
   bool picture = false;  // whether frames follow
-  std::string notice;    // a sentence to show first; may be empty
+  std::string notice{};  // a sentence to show first; may be empty
   std::array<int, 2> presses{1, 1};
 };
 std::string encode(const PhaseMessage& message);
@@ -49,7 +49,7 @@ struct Reply {
   std::uint32_t id = 0;        // of the showing that it replies to
   int choice = 0;              // of an answer
   double milliseconds = -1.0;  // of an answer: from the question's onset, as the page measured
-  std::string text;            // the key, or the strategy
+  std::string text{};          // the key, or the strategy
 };
 /// Nothing for text that is no reply: a page of ours never sends it.
 std::optional<Reply> parse_reply(std::string_view text);

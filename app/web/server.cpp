@@ -58,8 +58,8 @@ void Server::State::serve(tcp::socket socket) {
   socket.set_option(tcp::no_delay(true), ignored);
   const auto weak = weak_from_this();
   serve_connection(std::move(socket), {.token = token, .port = port},
-                   [weak](std::shared_ptr<PageSocket> page) {
-                     if (const auto self = weak.lock()) self->take(std::move(page));
+                   [weak](std::shared_ptr<PageSocket> opened) {
+                     if (const auto self = weak.lock()) self->take(std::move(opened));
                    });
 }
 

@@ -46,11 +46,11 @@ std::string advice(trials::Verdict verdict, const trials::Exploration& rule) {
 
 }  // namespace
 
-Sitting::Sitting(trials::Session& session, const trials::Protocol& protocol, const Stimuli& stimuli,
+Sitting::Sitting(trials::Session& session, const trials::Protocol& protocol, const Organs& organs,
                  HapticLoop& loop, FrameStream* frames, Outlets outlets)
     : session_(session),
       protocol_(protocol),
-      stimuli_(stimuli),
+      organs_(organs),
       loop_(loop),
       frames_(frames),
       outlets_(std::move(outlets)) {
@@ -117,7 +117,7 @@ void Sitting::enter(Stage stage) {
   release_engine();
   next_ = Next::Nothing;
   stage_ = stage;
-  if (stage == Stage::Gesture && connected_) run_engine(stimuli_.practice, {});
+  if (stage == Stage::Gesture && connected_) run_engine(organs_.practice, {});
   show();
 }
 
@@ -180,7 +180,7 @@ trials::IntervalRecord Sitting::release_record() {
 }
 
 void Sitting::begin_interval() {
-  const sim::Model& model = stimuli_.models.at(session_.stimulus());
+  const sim::Model& model = *organs_.stimuli.at(session_.stimulus());
   session_.begin_interval();
   notice_.clear();
   stage_ = Stage::Trial;
@@ -307,7 +307,8 @@ void Sitting::note_early_key(const Reply& reply) {
 
 void Sitting::tell_progress() {
   const int all = trials::trials_per_session(protocol_);
-  outlets_.technician(fmt::format("{} of {} questions answered.", all - session_.remaining_trials(), all));
+  outlets_.technician(fmt::format("{} of {} questions answered.",
+                                  static_cast<std::size_t>(all) - session_.pending().size(), all));
 }
 
 }  // namespace palpate::app

@@ -6,20 +6,20 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "app/loop/haptic_loop.hpp"
 #include "app/web/frames.hpp"
 #include "app/web/messages.hpp"
 #include "sim/scene/model.hpp"
 #include "trials/session.hpp"
+#include "trials/stimuli.hpp"
 
 namespace palpate::app {
 
-/// What a sitting presents: compiled once, before the page opens.
-struct Stimuli {
-  std::vector<sim::Model> models;  // one for each of Protocol::stimuli
-  sim::Model practice;             // the scene as its file has it, for practising the movement
+/// What can be pressed in a sitting: compiled once, before the page opens.
+struct Organs {
+  trials::Stimuli stimuli;  // one for each of Protocol::stimuli
+  sim::Model practice;      // the scene as its file has it, for practising the movement
 };
 
 /// Where a sitting speaks to.
@@ -37,8 +37,8 @@ class Sitting {
   using Clock = std::chrono::steady_clock;
 
   /// All but `outlets` must outlive the sitting. @param frames  may be null: no pictures
-  Sitting(trials::Session& session, const trials::Protocol& protocol, const Stimuli& stimuli,
-          HapticLoop& loop, FrameStream* frames, Outlets outlets);
+  Sitting(trials::Session& session, const trials::Protocol& protocol, const Organs& organs, HapticLoop& loop,
+          FrameStream* frames, Outlets outlets);
   ~Sitting();
 
   void page_opened();
@@ -78,7 +78,7 @@ class Sitting {
 
   trials::Session& session_;
   const trials::Protocol& protocol_;
-  const Stimuli& stimuli_;
+  const Organs& organs_;
   HapticLoop& loop_;
   FrameStream* frames_;
   Outlets outlets_;
@@ -90,7 +90,6 @@ class Sitting {
   bool connected_ = false;
   std::string notice_;
   std::string onset_utc_;      // of the interval or the question
-  Clock::time_point now_{};    // of the latest poll
   Clock::time_point shown_{};  // of this showing
   Next next_ = Next::Nothing;
   Clock::time_point due_{};

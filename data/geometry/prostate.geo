@@ -4,11 +4,11 @@ Include "common.geo";
 DefineConstant[
   width = {40, Name "across, along x [mm]"},
   height = {35, Name "apex to base, along y [mm]"},
-  depth_below = {11, Name "from the widest section to the rectal side [mm]"},
-  depth_above = {14, Name "from the widest section to the ventral side [mm]"},
-  contact_height = {4, Name "contact: up to this far below the widest section [mm]"},
+  depth_below = {10.1, Name "from the widest section to the rectal side [mm]"},
+  depth_above = {15.1, Name "from the widest section to the ventral side [mm]"},
+  contact_height = {4.5, Name "contact: up to this far below the widest section [mm]"},
   bottom = {16.4, Name "z of the lowest point [mm]"},
-  size = {4.2, Name "edge length aimed at on the surface [mm]"},
+  size = {4.25, Name "edge length aimed at on the surface [mm]"},
   inside = {7, Name "edge length aimed at inside [mm]"}
 ];
 

@@ -25,9 +25,8 @@ SEARCHES = {
     "rectum": ((282, 207), {"length": steps(60, 64, 2), "size": steps(7.8, 8.4, 0.1),
                             "lumen_size": steps(7.6, 8.4, 0.1), "sacral_angle": steps(23, 25, 1),
                             "margin": steps(6, 8, 0.5), "contact_angle": steps(64, 90, 2)}),
-    "prostate": ((360, 110), {"depth_below": steps(10, 11.5, 0.25), "depth_above": steps(13.5, 15, 0.25),
-                              "contact_height": steps(3.5, 5, 0.25), "size": steps(4.1, 4.35, 0.01),
-                              "inside": steps(5, 8, 0.5)}),
+    "prostate": ((360, 110), {"depth_below": steps(10, 11, 0.1), "depth_above": steps(14.5, 15.5, 0.1),
+                              "contact_height": steps(4, 5, 0.5), "size": steps(4.15, 4.3, 0.05)}),
 }
 
 

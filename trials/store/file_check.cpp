@@ -1,5 +1,6 @@
 #include "trials/store/file_check.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <linux/magic.h>
 #include <sys/statfs.h>
@@ -85,7 +86,7 @@ void check_writable(const std::filesystem::path& file) {
         "{}: is on a network drive, where a killed program can lose answers; accepted: a local folder",
         file.string()));
   for (const auto& part : {folder, file})
-    if (std::filesystem::exists(part) && ::access(part.c_str(), W_OK) != 0)
+    if (std::filesystem::exists(part) && ::faccessat(AT_FDCWD, part.c_str(), W_OK, AT_EACCESS) != 0)
       throw std::system_error(errno, std::generic_category(),
                               fmt::format("{}: cannot be written", part.string()));
 }

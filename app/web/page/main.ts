@@ -100,6 +100,7 @@ function render(view: View, notice: string): void {
     text.append(list);
   }
   element("stage").hidden = !view.stage;
+  document.body.classList.toggle("pressing", view.stage);
   element("hint").textContent = view.hint ?? "";
   element("live").textContent = notice ? `${notice} ${view.spoken}` : view.spoken;
   const actions = element("actions");

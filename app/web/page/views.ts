@@ -85,7 +85,7 @@ function interval(phase: Phase): View {
     paragraphs: [],
     stage: true,
     spoken: `Interval ${phase.interval}. Press now.`,
-    actions: [{ label: "I have felt enough", key: "Space", primary: false, does: "finish" }],
+    actions: [{ label: "That is enough", key: "Space", primary: false, does: "finish" }],
   };
 }
 

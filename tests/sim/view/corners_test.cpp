@@ -56,8 +56,9 @@ TEST(Rod, LiesOneRadiusFromItsAxisAndFacesOutwards) {
         (points[i + 1].position - points[i].position).cross(points[i + 2].position - points[i].position);
     area += face.norm() / 2;
     // A triangle at a pole has two corners in one place.
-    if (face.norm() > 1e-12)
+    if (face.norm() > 1e-12) {
       EXPECT_GT(face.dot(points[i].normal + points[i + 1].normal + points[i + 2].normal), 0);
+    }
   }
   // A closed rod: 4 pi r^2 + 2 pi r l, a little less for its facets.
   EXPECT_NEAR(area, 4 * M_PI * radius * radius + 2 * M_PI * radius * length, 0.01 * area);

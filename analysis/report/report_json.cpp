@@ -1,0 +1,163 @@
+#include <nlohmann/json.hpp>
+
+#include "analysis/report/write_report.hpp"
+#include "analysis/statistics/to_json.hpp"
+
+namespace palpate::analysis {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+template <typename Result>
+ordered_json or_null(const std::optional<Result>& result) {
+  return result ? to_json(*result) : ordered_json(nullptr);
+}
+
+template <typename Value>
+ordered_json plain_or_null(const std::optional<Value>& value) {
+  return value ? ordered_json(*value) : ordered_json(nullptr);
+}
+
+ordered_json design_json(const StudyDesign& design) {
+  ordered_json cells = ordered_json::array();
+  for (const Cell& cell : design.cells) cells.push_back({{"name", cell.name}, {"levels", cell.levels}});
+  return {{"question", design.question},
+          {"task", design.task},
+          {"conditions", design.conditions},
+          {"correct_condition", design.correct_condition},
+          {"factors", design.factors},
+          {"cells", cells},
+          {"procedure", design.procedure},
+          {"trials_per_examinee_per_cell", design.trials_per_examinee_per_cell},
+          {"planned_examinees", design.planned_examinees},
+          {"cell_order", design.cell_order},
+          {"interval_order", design.interval_order},
+          {"primary", design.primary},
+          {"alpha", design.alpha},
+          {"side", design.side},
+          {"between_models", design.between_models},
+          {"display_during_interval", design.display_during_interval}};
+}
+
+ordered_json cell_json(const StudyReport& report, const CellResult& cell) {
+  ordered_json examinees = ordered_json::array();
+  for (std::size_t i = 0; i < report.examinees.size(); ++i) {
+    examinees.push_back({{"examinee", report.examinees[i]},
+                         {"correct", cell.by_examinee[i].correct},
+                         {"trials", cell.by_examinee[i].trials}});
+  }
+  const bool tested = cell.pooled && cell.critical;
+  return {
+      {"cell", cell.name},
+      {"correct", cell.correct},
+      {"trials", cell.trials},
+      {"voided", cell.voided},
+      {"significant", tested ? ordered_json(rejects(*cell.critical, cell.correct)) : ordered_json(nullptr)},
+      {"primary", or_null(cell.pooled)},
+      {"critical", or_null(cell.critical)},
+      {"examinee_level", or_null(cell.by_people)},
+      {"dprime", or_null(cell.d_prime)},
+      {"interval_order", or_null(cell.bias)},
+      {"median_response_time_s", or_null(cell.median_response_time_s)},
+      {"by_examinee", examinees}};
+}
+
+ordered_json comparison_json(const CellComparison& comparison) {
+  return {{"first", comparison.first},
+          {"second", comparison.second},
+          {"examinees", comparison.examinees},
+          {"mean_difference",
+           comparison.examinees > 0 ? to_json(comparison.mean_difference) : ordered_json(nullptr)},
+          {"planned", comparison.planned},
+          {"sign_flip", or_null(comparison.sign_flip)},
+          {"wilcoxon", or_null(comparison.signed_rank)}};
+}
+
+ordered_json stimulus_json(const StimulusSummary& stimulus) {
+  return {{"cell", stimulus.cell},
+          {"condition", stimulus.condition},
+          {"intervals", stimulus.intervals},
+          {"mean_presses", stimulus.mean_presses},
+          {"mean_exploration_time_s", or_null(stimulus.mean_exploration_s)},
+          {"mean_peak_force_n", or_null(stimulus.mean_peak_force_n)},
+          {"mean_max_depth_m", or_null(stimulus.mean_max_depth_m)},
+          {"worst_clamped_fraction", or_null(stimulus.worst_clamped_fraction)},
+          {"worst_loop_p999_ms", or_null(stimulus.worst_loop_p999_ms)},
+          {"missed_cycles", plain_or_null(stimulus.missed_cycles)}};
+}
+
+ordered_json session_json(const SessionRow& session) {
+  return {{"session", session.session},
+          {"examinee", session.examinee},
+          {"run_mode", session.run_mode},
+          {"started_utc", session.started_utc},
+          {"finished", session.finished},
+          {"times_resumed", session.times_resumed},
+          {"device", session.device},
+          {"pseudo_haptic", session.pseudo_haptic},
+          {"channel", session.channel},
+          {"force_scale", session.force_scale},
+          {"order_source", session.order_source},
+          {"protocol_sha256", session.protocol_sha256},
+          {"software_version", session.software_version}};
+}
+
+ordered_json curve_json(const StudyReport& report, const ForceCurve& curve) {
+  return {{"cell", report.design.cells[curve.cell].name},
+          {"condition", curve.condition},
+          {"intervals", curve.intervals},
+          {"depth_m", curve.depth_m},
+          {"mean_force_n", curve.mean_force_n},
+          {"standard_deviation_n", curve.deviation_n}};
+}
+
+template <typename Rows, typename Writer>
+ordered_json array_of(const Rows& rows, Writer writer) {
+  ordered_json array = ordered_json::array();
+  for (const auto& row : rows) array.push_back(writer(row));
+  return array;
+}
+
+}  // namespace
+
+ordered_json json_report(const StudyReport& report) {
+  const auto cell = [&](const CellResult& result) { return cell_json(report, result); };
+  const auto curve = [&](const ForceCurve& row) { return curve_json(report, row); };
+  const auto voided = [](const VoidedTrial& trial) -> ordered_json {
+    return {{"examinee", trial.examinee},
+            {"session", trial.session},
+            {"trial", trial.trial},
+            {"cell", trial.cell},
+            {"reason", trial.reason}};
+  };
+  return {{"report", "palpate significance report"},
+          {"format_version", 1},
+          {"protocol", {{"name", report.design.protocol_name}, {"sha256", report.design.protocol_sha256}}},
+          {"run_mode", report.run_mode},
+          {"pseudo_haptic", report.pseudo_haptic},
+          {"channel", report.channel},
+          {"interim", report.options.interim && !report.complete},
+          {"withheld", report.withheld},
+          {"planned_examinees", report.planned_examinees},
+          {"complete_examinees", report.complete_examinees},
+          {"banners", report.banners},
+          {"summary", report.summary},
+          {"design", design_json(report.design)},
+          {"cells", array_of(report.cells, cell)},
+          {"comparisons", array_of(report.comparisons, comparison_json)},
+          {"claims",
+           {{"pooled", report.pooled_claim},
+            {"examinee_level", report.people_claim},
+            {"comparison", report.comparison_claim}}},
+          {"stimuli", array_of(report.stimuli, stimulus_json)},
+          {"force_curves", array_of(report.curves, curve)},
+          {"voided", array_of(report.voided, voided)},
+          {"method", report.method},
+          {"limits", report.limits},
+          {"sessions", array_of(report.sessions, session_json)},
+          {"software_version", report.options.software_version},
+          {"written_utc", report.options.written_utc}};
+}
+
+}  // namespace palpate::analysis

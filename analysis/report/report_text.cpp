@@ -1,0 +1,105 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "analysis/report/tables.hpp"
+#include "analysis/report/write_report.hpp"
+
+namespace palpate::analysis {
+namespace {
+
+constexpr std::size_t kColumns = 100;
+
+// Letters, not bytes: UTF-8 continuation bytes take no column.
+std::size_t width(std::string_view text) {
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+std::string wrap(const std::string& text, const std::string& first, const std::string& next) {
+  std::istringstream words(text);
+  std::string out, row = first, word;
+  bool empty = true;
+  while (words >> word) {
+    if (!empty && width(row) + 1 + width(word) > kColumns) {
+      out += row + "\n";
+      row = next;
+      empty = true;
+    }
+    row += (empty ? "" : " ") + word;
+    empty = false;
+  }
+  return out + row + "\n";
+}
+
+std::string heading(const std::string& text, char underline) {
+  return "\n" + text + "\n" + std::string(width(text), underline) + "\n";
+}
+
+std::string laid_out(const TextTable& table) {
+  std::vector<std::size_t> widths(table.header.size(), 0);
+  const auto measure = [&](const std::vector<std::string>& row) {
+    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], width(row[c]));
+  };
+  measure(table.header);
+  for (const auto& row : table.rows) measure(row);
+  const auto write = [&](const std::vector<std::string>& row) {
+    std::string text;
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      const std::string blanks(widths[c] - width(row[c]) + (c + 1 < row.size() ? 2 : 0), ' ');
+      text += row[c] + blanks;
+    }
+    return "  " + text.substr(0, text.find_last_not_of(' ') + 1) + "\n";
+  };
+  std::string text = write(table.header);
+  for (const auto& row : table.rows) text += write(row);
+  return text;
+}
+
+std::string section(const TextTable& table, const std::string& title, const std::string& claim = "") {
+  std::string text = heading(title, '-');
+  if (!claim.empty()) text += wrap(claim, "", "");
+  text += laid_out(table);
+  return table.note.empty() ? text : text + wrap(table.note, "", "");
+}
+
+// Names come from files: nothing in them may steer the terminal.
+std::string tame(std::string text) {
+  for (char& c : text) {
+    if ((static_cast<unsigned char>(c) < 0x20 && c != '\n') || c == 0x7f) c = '?';
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string text_report(const StudyReport& report) {
+  std::string text = "Significance report: " + report.design.protocol_name + "\n";
+  text += fmt::format("Run mode: {}; protocol {}\n", report.run_mode,
+                      report.design.protocol_sha256.substr(0, 16));
+  for (const std::string& banner : report.banners) text += "\n" + wrap(banner, "!! ", "!! ");
+  text += heading("Summary", '=');
+  for (std::size_t i = 0; i < report.summary.size(); ++i)
+    text += (i > 0 ? "\n" : "") + wrap(report.summary[i], "", "");
+  text += section(primary_table(report), "Primary test: pooled exact binomial test", report.pooled_claim);
+  text += section(people_table(report), "Secondary: examinee-level test", report.people_claim);
+  if (!report.comparisons.empty()) {
+    text += section(comparison_table(report), "Cell against cell", report.comparison_claim);
+  }
+  text += section(sensitivity_table(report), "Secondary: sensitivity and interval order");
+  text += section(examinee_table(report), "Correct answers of each examinee");
+  if (!report.stimuli.empty()) text += section(stimulus_table(report), "Stimuli as they were explored");
+  if (!report.voided.empty()) text += section(voided_table(report), "Voided trials, not counted");
+  text += heading("Method", '=');
+  for (const std::string& paragraph : report.method) text += wrap(paragraph, "", "");
+  text += heading("Limits", '=');
+  for (const std::string& limit : report.limits) text += wrap(limit, "- ", "  ");
+  text += section(session_table(report), "Sessions");
+  text += fmt::format("\nProtocol {}\nReport by palpate {}{}\n", report.design.protocol_sha256,
+                      report.options.software_version,
+                      report.options.written_utc.empty() ? "" : ", " + report.options.written_utc);
+  return tame(text);
+}
+
+}  // namespace palpate::analysis

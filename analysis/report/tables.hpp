@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/report/report.hpp"
+
+namespace palpate::analysis {
+
+/// A table of a report, in words, for whichever writer lays it out. The first column names the row.
+struct TextTable {
+  std::string title{};
+  std::vector<std::string> header{};
+  std::vector<std::vector<std::string>> rows{};
+  std::string note{};
+};
+
+TextTable primary_table(const StudyReport& report);      // answers, critical number, p, interval
+TextTable people_table(const StudyReport& report);       // examinee-level test
+TextTable comparison_table(const StudyReport& report);   // cell against cell
+TextTable sensitivity_table(const StudyReport& report);  // d' and answers by interval order
+TextTable examinee_table(const StudyReport& report);     // counts of each examinee
+TextTable stimulus_table(const StudyReport& report);
+TextTable voided_table(const StudyReport& report);
+TextTable session_table(const StudyReport& report);
+TextTable curve_table(const StudyReport& report);  // the data behind the force curves
+
+}  // namespace palpate::analysis

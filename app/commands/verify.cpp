@@ -1,0 +1,66 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "app/commands/commands.hpp"
+#include "app/output.hpp"
+#include "trials/study_file.hpp"
+
+namespace palpate::app {
+namespace {
+
+struct Options {
+  std::string study, receipt, format;
+};
+
+void print_text(const Options& options, const trials::VerifyReport& report) {
+  fmt::print("{}: {} sittings, {} answers ({} voided), {} presentations\n", options.study, report.sessions,
+             report.answers, report.voided, report.presentations);
+  for (const std::string& problem : report.problems) fmt::print("  {}\n", problem);
+  if (report.problems.empty())
+    fmt::print("whole: database, schema, hashes, chain, order and traces fit together{}\n",
+               options.receipt.empty() ? "" : ", and so does the receipt");
+  fmt::print("receipt {}\n", trials::to_string(report.receipt));
+}
+
+void run(const Options& options) {
+  const auto receipt =
+      options.receipt.empty() ? std::nullopt : std::optional(trials::parse_receipt(options.receipt));
+  const trials::VerifyReport report = trials::verify_study(options.study, receipt);
+  if (options.format == "json")
+    fmt::print("{}\n", nlohmann::ordered_json{{"study", options.study},
+                                              {"whole", report.problems.empty()},
+                                              {"problems", report.problems},
+                                              {"sessions", report.sessions},
+                                              {"answers", report.answers},
+                                              {"voided", report.voided},
+                                              {"presentations", report.presentations},
+                                              {"receipt", trials::to_string(report.receipt)}}
+                           .dump(1));
+  else
+    print_text(options, report);
+  if (!report.problems.empty())
+    throw std::invalid_argument(fmt::format(
+        "{}: the study file is not whole: {}", options.study,
+        report.problems.size() == 1 ? "1 problem" : fmt::format("{} problems", report.problems.size())));
+}
+
+}  // namespace
+
+void add_verify(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("verify", "Checks that a study file is whole and was not tampered with");
+  command->add_option("study", options->study, "Study file")->required();
+  command->add_option("--receipt", options->receipt,
+                      "A receipt printed at a session's end: also finds later rewriting or cutting back");
+  add_format(*command, options->format);
+  command->footer(
+      "Example:\n  palpate verify study.db --receipt 120-9f86d0...\nExit code 1: something is wrong.");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,51 @@
+#include "app/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+#include "app/commands/commands.hpp"
+#include "app/interrupt.hpp"
+#include "app/machine.hpp"
+#include "app/progress.hpp"
+
+namespace palpate::app {
+
+std::filesystem::path default_observer() {
+  const char* data = std::getenv("PALPATE_DATA");  // NOLINT(concurrency-mt-unsafe): nothing here sets it
+  return std::filesystem::path(data ? data : PALPATE_SOURCE_DIR) / "protocols/observers/default.toml";
+}
+
+SimulationResult run_simulation(const std::filesystem::path& protocol_file,
+                                const std::filesystem::path& study_file, int examinees,
+                                const std::filesystem::path& observer, trials::Seed seed) {
+  const trials::Protocol protocol = trials::load_protocol(protocol_file);
+  trials::SimulationPlan plan{
+      .examinees = examinees, .observer = trials::load_observer(observer), .seed = seed};
+  plan.software_version = PALPATE_VERSION;
+  plan.machine = describe_machine();
+  trials::check_simulation(study_file, protocol, plan);
+  sim::ComplianceCache cache(sim::ComplianceCache::default_folder());
+  const trials::Stimuli stimuli = trials::compile_stimuli(protocol, cache);
+  trials::check_clamping(protocol, stimuli, plan.observer);
+
+  catch_interrupts();
+  trials::StudyFile study = trials::open_study(study_file, protocol, PALPATE_VERSION);
+  SimulationResult result;
+  {
+    ProgressBar bar("simulating");
+    result.report = trials::simulate(study, protocol, stimuli, plan, [&](int done, int total) {
+      bar.show(done, total);
+      return !interrupted();
+    });
+  }
+  result.receipt = study.receipt();
+  if (result.report.interrupted) {
+    fmt::print(stderr, "stopped: {} answers were given and are kept; the same command goes on from there\n",
+               result.report.answers);
+    throw Interrupted{};
+  }
+  return result;
+}
+
+}  // namespace palpate::app

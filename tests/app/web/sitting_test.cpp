@@ -1,0 +1,177 @@
+#include "app/web/sitting.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstring>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "tests/app/support/palpation.hpp"
+#include "trials/study_file.hpp"
+
+namespace palpate::app {
+namespace {
+
+using namespace std::chrono_literals;
+using nlohmann::json;
+
+/// A session on a study file of its own, led without a browser: the test is the page.
+class SittingTest : public testing::Test {
+ protected:
+  SittingTest() {
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+    protocol_ = trials::load_protocol(std::string(PALPATE_SOURCE_DIR) + "/tests/browser/short.toml");
+    study_.emplace(trials::open_study(folder_ / "study.db", protocol_, "test"));
+    session_.emplace(trials::start_session(*study_, protocol_, facts()));
+    sim::ComplianceCache cache("");
+    organs_.stimuli = trials::compile_stimuli(protocol_, cache);
+    organs_.practice = test::palpation("kuroda", "1.0 MPa");
+    sitting_.emplace(*session_, protocol_, organs_, loop_, nullptr,
+                     Outlets{.text = [this](std::string text) { shown_ = json::parse(text); },
+                             .binary = [this](std::string) { ++binaries_; },
+                             .technician = [this](const std::string& line) { said_ += line + "\n"; },
+                             .finished = [this] { finished_ = true; }});
+    sitting_->page_opened();
+  }
+  ~SittingTest() override {
+    sitting_.reset();
+    std::filesystem::remove_all(folder_);
+  }
+
+  static trials::SessionFacts facts() {
+    return {.examinee = "P01", .device = "mouse", .pseudo_haptic = true, .channel = "pointer lag"};
+  }
+
+  std::string phase() const { return shown_.at("phase"); }
+
+  void reply(const std::string& type, json more = json::object()) {
+    more["type"] = type;
+    more["id"] = shown_.at("id");
+    sitting_->text_from_page(more.dump());
+  }
+
+  void hand(double millimetres) {
+    std::string bytes(12, '\0');
+    bytes[0] = 1;
+    const auto id = shown_.at("id").get<std::uint32_t>();
+    const auto depth = static_cast<std::int32_t>(millimetres * 1000);
+    std::memcpy(bytes.data() + 4, &id, 4);
+    std::memcpy(bytes.data() + 8, &depth, 4);
+    sitting_->binary_from_page(bytes);
+  }
+
+  /// Lets time pass, the hand held somewhere.
+  void hold(double millimetres, std::chrono::milliseconds time) {
+    const auto until = Sitting::Clock::now() + time;
+    while (Sitting::Clock::now() < until) {
+      hand(millimetres);
+      sitting_->poll(Sitting::Clock::now());
+      std::this_thread::sleep_for(5ms);
+    }
+  }
+
+  void wait_for(const std::string& wanted) {
+    for (int i = 0; i < 2000 && phase() != wanted; ++i) hold(-2, 5ms);
+    ASSERT_EQ(phase(), wanted);
+  }
+
+  void go_to_interval() {
+    reply("continue");
+    reply("continue");
+    reply("continue");
+    ASSERT_EQ(phase(), "interval");
+  }
+
+  void explore() {
+    for (int press = 0; press < 2; ++press) {
+      hold(-2, 150ms);
+      hold(11, 400ms);
+    }
+    hold(-2, 150ms);
+  }
+
+  std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() / ("palpate-sitting-" + std::to_string(::getpid()));
+  trials::Protocol protocol_;
+  std::optional<trials::StudyFile> study_;
+  std::optional<trials::Session> session_;
+  Organs organs_;
+  HapticLoop loop_;
+  std::optional<Sitting> sitting_;
+  json shown_;
+  std::string said_;
+  int binaries_ = 0;
+  bool finished_ = false;
+};
+
+TEST_F(SittingTest, OneQuestionIsAskedAndStored) {
+  EXPECT_EQ(phase(), "welcome");
+  go_to_interval();
+  explore();
+  wait_for("pause");
+  wait_for("interval");
+  explore();
+  wait_for("question");
+  reply("answer", {{"choice", 2}, {"ms", 1.0}});
+  EXPECT_EQ(phase(), "ready");
+  ASSERT_EQ(study_->answers(1).size(), 1U);
+  EXPECT_EQ(study_->answers(1)[0].response, 2);
+  EXPECT_DOUBLE_EQ(study_->answers(1)[0].response_time.value(), 1e-3);
+  ASSERT_EQ(study_->presentations(1).size(), 2U);
+  EXPECT_TRUE(study_->presentations(1)[0].loop.has_value());
+  EXPECT_NE(said_.find("1 of 4 questions answered"), std::string::npos);
+}
+
+TEST_F(SittingTest, AResponseTimeThatCannotBeIsReplacedAndNoted) {
+  go_to_interval();
+  explore();
+  wait_for("interval");
+  explore();
+  wait_for("question");
+  reply("answer", {{"choice", 1}, {"ms", 3.6e6}});  // an hour
+  EXPECT_LT(study_->answers(1).at(0).response_time.value(), 60);
+  EXPECT_EQ(study_->events().back().kind, "response time replaced");
+}
+
+// Two metres are no place of a hand before a screen: as from a device that has gone wrong.
+TEST_F(SittingTest, AnImpossibleHandPausesTheSession) {
+  go_to_interval();
+  hold(-2, 100ms);
+  hold(8, 300ms);
+  hold(2000, 50ms);
+  ASSERT_EQ(phase(), "fault");
+  EXPECT_EQ(session_->phase(), trials::Phase::Ready);
+  EXPECT_FALSE(study_->presentations(1).at(0).complete);
+  reply("continue");
+  EXPECT_EQ(phase(), "ready");
+}
+
+TEST_F(SittingTest, RepliesToAnotherShowingAreNotHeard) {
+  const json before = shown_;
+  reply("continue");
+  ASSERT_EQ(phase(), "gesture");
+  sitting_->text_from_page(json{{"type", "continue"}, {"id", before.at("id")}}.dump());
+  EXPECT_EQ(phase(), "gesture");
+  reply("answer", {{"choice", 1}, {"ms", 5}});  // no question is open
+  EXPECT_EQ(phase(), "gesture");
+  EXPECT_TRUE(study_->answers(1).empty());
+}
+
+TEST_F(SittingTest, AnIntervalUnderWayWhenThePageClosesIsStoredAsCutOff) {
+  go_to_interval();
+  hold(-2, 100ms);
+  hold(8, 200ms);
+  sitting_->page_closed();
+  EXPECT_EQ(session_->phase(), trials::Phase::Ready);
+  EXPECT_FALSE(study_->presentations(1).at(0).complete);
+  EXPECT_GT(study_->presentations(1).at(0).samples, 0U);
+  sitting_->page_opened();
+  EXPECT_EQ(phase(), "ready");
+  EXPECT_NE(shown_.at("notice").get<std::string>().find("interruption"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace palpate::app

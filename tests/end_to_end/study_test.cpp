@@ -1,0 +1,213 @@
+// The life of a study file, as a user of the program sees it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
+
+#include "tests/end_to_end/program.hpp"
+#include "tests/trials/support/folder.hpp"
+#include "tests/trials/support/raw_sql.hpp"
+
+namespace palpate {
+namespace {
+
+using nlohmann::json;
+using test::Outcome;
+using test::run;
+using testing::HasSubstr;
+using testing::StartsWith;
+using trials::test::Folder;
+using trials::test::read;
+using trials::test::write;
+
+const std::string kProtocol = std::string(PALPATE_SOURCE_DIR) + "/protocols/kuroda2003.toml";
+
+class StudyEndToEnd : public testing::Test {
+ protected:
+  std::string file(const std::string& name) const { return (folder_ / name).string(); }
+  std::vector<std::string> simulate(const std::string& study, int examinees,
+                                    const std::string& seed = "1") const {
+    return {"simulate", kProtocol, "--study", file(study), "--examinees", std::to_string(examinees),
+            "--seed",   seed};
+  }
+  /// The exported answers without what differs from run to run: onset_utc, the 13th column.
+  std::string answers(const std::string& study) const {
+    const Folder out;
+    const Outcome exported = run({"export", file(study), "--as", "csv", "--out", out.path().string()});
+    EXPECT_EQ(exported.exit_code, 0) << exported.err;
+    std::istringstream lines(read(out / "trials.csv"));
+    std::string kept;
+    for (std::string line; std::getline(lines, line);) {
+      std::istringstream cells(line);
+      std::string cell;
+      for (int column = 1; std::getline(cells, cell, ','); ++column)
+        if (column != 13) kept += cell + ',';
+      kept += '\n';
+    }
+    return kept;
+  }
+  int stored_answers(const std::string& study) const {
+    const std::string count = trials::test::sql_value(folder_ / study, "SELECT count(*) FROM answer");
+    return count.empty() ? 0 : std::stoi(count);
+  }
+  /// Waits until so many answers are on the disk, or the program is over.
+  void wait_for_answers(const std::string& study, int answers, test::Running& program) const {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(120);
+    while (std::chrono::steady_clock::now() < end && !program.is_over()) {
+      if (std::filesystem::exists(folder_ / study) && stored_answers(study) >= answers) return;
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+  }
+
+  Folder folder_;
+};
+
+TEST_F(StudyEndToEnd, OneSeedGivesTheSameAnswersTwice) {
+  ASSERT_EQ(run(simulate("a.db", 2)).exit_code, 0);
+  ASSERT_EQ(run(simulate("b.db", 2)).exit_code, 0);
+  ASSERT_EQ(run(simulate("c.db", 2, "2")).exit_code, 0);
+  EXPECT_EQ(answers("a.db"), answers("b.db"));
+  EXPECT_NE(answers("a.db"), answers("c.db"));
+}
+
+TEST_F(StudyEndToEnd, ResultsGoToStdoutAndAPipeShowsNoBar) {
+  const Outcome outcome = run(simulate("a.db", 1));
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_THAT(outcome.out, HasSubstr("1 simulated examinees added"));
+  EXPECT_THAT(outcome.out, HasSubstr("receipt 9-"));  // eight answers and the session's end
+}
+
+TEST_F(StudyEndToEnd, AKilledSimulationGoesOnWhereItWas) {
+  {
+    test::Running program(simulate("a.db", 12));
+    wait_for_answers("a.db", 20, program);
+    program.send(SIGKILL);
+    ASSERT_EQ(program.wait(), 128 + SIGKILL) << "it was over before it could be killed";
+  }
+  const int before = stored_answers("a.db");
+  EXPECT_GE(before, 20);
+  EXPECT_EQ(run({"verify", file("a.db")}).exit_code, 0);
+  const Outcome rest = run(simulate("a.db", 12));
+  EXPECT_EQ(rest.exit_code, 0) << rest.err;
+  EXPECT_EQ(stored_answers("a.db"), 96);
+  EXPECT_THAT(rest.out, HasSubstr(std::to_string(96 - before) + " answers given"));
+  EXPECT_EQ(run({"verify", file("a.db")}).exit_code, 0);
+}
+
+TEST_F(StudyEndToEnd, CtrlCStopsWithEverythingOnTheDisk) {
+  test::Running program(simulate("a.db", 12));
+  wait_for_answers("a.db", 5, program);
+  program.send(SIGINT);
+  ASSERT_EQ(program.wait(), 130);
+  EXPECT_FALSE(std::filesystem::exists(file("a.db-wal")));  // closed in good order
+  EXPECT_EQ(run({"verify", file("a.db")}).exit_code, 0);
+}
+
+TEST_F(StudyEndToEnd, VerifyHoldsAReceiptAgainstTheFile) {
+  const Outcome made = run(simulate("a.db", 1));
+  const std::string receipt = made.out.substr(made.out.find("receipt ") + 8, 2 + 64);
+  const Outcome whole = run({"verify", file("a.db"), "--receipt", receipt, "--format", "json"});
+  EXPECT_EQ(whole.exit_code, 0) << whole.err;
+  EXPECT_TRUE(json::parse(whole.out).at("whole").get<bool>());
+  const Outcome other = run({"verify", file("a.db"), "--receipt", "9-" + std::string(64, 'a')});
+  EXPECT_EQ(other.exit_code, 1);
+  EXPECT_THAT(other.out, HasSubstr("receipt: entry 9 is not the one"));
+  EXPECT_EQ(run({"verify", file("a.db"), "--receipt", "nonsense"}).exit_code, 1);
+}
+
+TEST_F(StudyEndToEnd, ATamperedFileIsFound) {
+  ASSERT_EQ(run(simulate("a.db", 1)).exit_code, 0);
+  ASSERT_EQ(
+      trials::test::sql(folder_ / "a.db",
+                        "DROP TRIGGER answer_refuses_UPDATE; UPDATE answer SET response = 3 - response"),
+      "");
+  const Outcome outcome = run({"verify", file("a.db")});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("chain: entry 1 was altered"));
+  EXPECT_THAT(outcome.err, HasSubstr("is not whole"));
+}
+
+TEST_F(StudyEndToEnd, FilesThatAreNoStudyAreRefusedAndLeftAlone) {
+  ASSERT_EQ(run(simulate("whole.db", 1)).exit_code, 0);
+  trials::test::sql(folder_ / "foreign.db", "CREATE TABLE t (x)");
+  write(folder_ / "text.db", "my notes, which must not be lost\n");
+  write(folder_ / "cut.db", read(folder_ / "whole.db").substr(0, 6000));
+  for (const char* name : {"foreign.db", "text.db", "cut.db"}) {
+    const std::string before = read(folder_ / name);
+    for (const auto& arguments :
+         {simulate(name, 1), std::vector<std::string>{"verify", file(name)},
+          std::vector<std::string>{"export", file(name), "--as", "csv", "--out", file("x")}}) {
+      const Outcome outcome = run(arguments);
+      EXPECT_EQ(outcome.exit_code, 1) << arguments[0];
+      EXPECT_THAT(outcome.err, StartsWith("Error: " + file(name) + ": "));
+      EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1);
+    }
+    EXPECT_EQ(read(folder_ / name), before);
+  }
+  EXPECT_FALSE(std::filesystem::exists(file("x")));
+}
+
+TEST_F(StudyEndToEnd, ARefusedStartMakesNothing) {
+  for (const auto& [protocol, examinees] : std::vector<std::pair<std::string, std::string>>{
+           {file("none.toml"), "1"}, {kProtocol, "0"}, {kProtocol, "many"}}) {
+    const Outcome outcome = run({"simulate", protocol, "--study", file("a.db"), "--examinees", examinees});
+    EXPECT_EQ(outcome.exit_code, protocol == kProtocol ? 2 : 1) << outcome.err;
+    EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
+  }
+}
+
+TEST_F(StudyEndToEnd, ExportOverwritesNothing) {
+  ASSERT_EQ(run(simulate("a.db", 1)).exit_code, 0);
+  const std::vector<std::string> to_csv{"export", file("a.db"), "--as", "csv", "--out", file("out")};
+  ASSERT_EQ(run(to_csv).exit_code, 0);
+  write(folder_ / "out/trials.csv", "mine");
+  const Outcome again = run(to_csv);
+  EXPECT_EQ(again.exit_code, 1);
+  EXPECT_THAT(again.err, HasSubstr("trials.csv: is there already"));
+  EXPECT_EQ(read(folder_ / "out/trials.csv"), "mine");
+  ASSERT_EQ(run({"export", file("a.db"), "--as", "json", "--out", file("out")}).exit_code, 0);
+  const json exported = json::parse(read(folder_ / "out/study.json"));
+  EXPECT_EQ(exported.at("trials").at("rows").size(), 8U);
+  EXPECT_EQ(exported.at("intervals").at("rows").size(), 16U);
+  EXPECT_EQ(exported.at("trials").at("rows").at(0).at("run_mode"), "simulated");
+  const Outcome later = run({"export", file("a.db"), "--as", "bids", "--out", file("bids")});
+  EXPECT_EQ(later.exit_code, 1);
+  EXPECT_THAT(later.err, HasSubstr("bids is not in this version; accepted: csv, json"));
+}
+
+TEST_F(StudyEndToEnd, AFullDiskIsSaidAndLosesNothing) {
+  ASSERT_EQ(run(simulate("a.db", 1)).exit_code, 0);
+  // In the shell a block is 1024 bytes: nothing may grow beyond twice what is there, so the second examinee
+  // does not fit.
+  const auto blocks = std::filesystem::file_size(folder_ / "a.db") / 1024 + 8;
+  const std::string command = "ulimit -f " + std::to_string(blocks) + "; trap '' XFSZ; exec " +
+                              PALPATE_PROGRAM + " simulate " + kProtocol + " --study " + file("a.db") +
+                              " --examinees 6 --seed 1 2> " + file("said");
+  const int status =
+      std::system(("bash -c \"" + command + "\" > /dev/null").c_str());  // NOLINT(concurrency-mt-unsafe)
+  EXPECT_EQ(WEXITSTATUS(status), 3);
+  EXPECT_THAT(read(folder_ / "said"), HasSubstr("every answer given before is kept"));
+  const Outcome verified = run({"verify", file("a.db")});
+  EXPECT_EQ(verified.exit_code, 0) << verified.out;
+  EXPECT_GE(stored_answers("a.db"), 8);
+  EXPECT_EQ(run(simulate("a.db", 6)).exit_code, 0);
+  EXPECT_EQ(stored_answers("a.db"), 48);
+}
+
+TEST_F(StudyEndToEnd, EveryCommandHasAnExample) {
+  for (const char* command : {"simulate", "export", "verify"}) {
+    const Outcome help = run({command, "--help"});
+    EXPECT_EQ(help.exit_code, 0);
+    EXPECT_THAT(help.out, HasSubstr(std::string("Example:\n  palpate ") + command));
+  }
+}
+
+}  // namespace
+}  // namespace palpate

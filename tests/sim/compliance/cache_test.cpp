@@ -1,0 +1,321 @@
+#include "sim/compliance/cache.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "sim/compliance/cache_file.hpp"
+#include "tests/sim/support/box_mesh.hpp"
+#include "tests/sim/support/temporary_folder.hpp"
+
+namespace palpate::sim {
+namespace {
+
+namespace fs = std::filesystem;
+using Source = ComplianceCache::Event::Source;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// A small supported body and all that its compliance depends on.
+struct Input {
+  TetMesh mesh = test::box_mesh(3, 3, 2, Vec3(0.03, 0.03, 0.02));
+  std::vector<Material> materials{{.young_modulus = 1.0, .poisson_ratio = 0.4}};
+  std::vector<int> fixed = mesh.node_groups.at("z_min");
+  std::vector<int> touch = mesh.node_groups.at("z_max");
+  std::vector<int> drawn{20, 21, touch[3]};
+
+  std::shared_ptr<const Compliance> from(ComplianceCache& cache) const {
+    return cache.get(mesh, materials, fixed, touch, drawn);
+  }
+  std::string key() const { return compliance_key(mesh, materials, fixed, touch, drawn); }
+};
+
+bool same(const Compliance& a, const Compliance& b) {
+  return a.touch == b.touch && a.drawn == b.drawn && a.touch_touch == b.touch_touch &&
+         a.drawn_touch == b.drawn_touch;
+}
+
+std::string content(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+void put(const fs::path& file, const std::string& bytes) {
+  std::ofstream(file, std::ios::binary | std::ios::trunc).write(bytes.data(), std::ssize(bytes));
+}
+
+class Cache : public testing::Test {
+ protected:
+  const Input input_;
+  const test::TemporaryFolder folder_;
+  const fs::path file_ = folder_.path() / (input_.key() + ".compliance");
+  const Compliance computed_ = *input_.from(*std::make_unique<ComplianceCache>(""));
+
+  std::string written() {
+    ComplianceCache cache(folder_.path());
+    input_.from(cache);
+    return content(file_);
+  }
+};
+
+TEST_F(Cache, KeepsInMemoryAndOnDisk) {
+  ComplianceCache first(folder_.path());
+  const auto built = input_.from(first);
+  EXPECT_EQ(first.last_event().source, Source::Built);
+  EXPECT_TRUE(same(*built, computed_));
+  EXPECT_EQ(input_.from(first), built);
+  EXPECT_EQ(first.last_event().source, Source::Memory);
+
+  ComplianceCache second(folder_.path());
+  const auto loaded = input_.from(second);
+  EXPECT_EQ(second.last_event().source, Source::Disk);
+  EXPECT_THAT(second.last_event().trouble, IsEmpty());
+  EXPECT_TRUE(same(*loaded, computed_));
+}
+
+TEST_F(Cache, WithoutFolderKeepsInMemoryOnly) {
+  ComplianceCache cache("");
+  const auto built = input_.from(cache);
+  EXPECT_EQ(input_.from(cache), built);
+  EXPECT_THAT(cache.last_event().trouble, IsEmpty());
+}
+
+TEST_F(Cache, LeavesNothingBesideTheFile) {
+  written();
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), {}), 1);
+  EXPECT_TRUE(fs::exists(file_));
+}
+
+/// Whatever a compliance depends on is in its key; what does not matter is not.
+TEST(CacheKey, ChangesWithEverythingThatMatters) {
+  const std::vector<std::function<void(Input&)>> changes{
+      [](Input& i) { i.mesh.nodes[17].x() += 1e-15; },
+      [](Input& i) { std::swap(i.mesh.tetrahedra[0], i.mesh.tetrahedra[1]); },
+      [](Input& i) { i.mesh.region[4] = 0, i.mesh.region_names = {"nodule"}; },
+      [](Input& i) { i.materials[0].young_modulus = 2.0; },
+      [](Input& i) { i.materials[0].poisson_ratio = 0.41; },
+      [](Input& i) { i.materials.push_back(i.materials[0]); },
+      [](Input& i) { i.fixed.pop_back(); },
+      [](Input& i) { i.touch.pop_back(); },
+      [](Input& i) { i.drawn.pop_back(); },
+      [](Input& i) { std::swap(i.touch, i.drawn); },
+      [](Input& i) { i.drawn.insert(i.drawn.begin(), i.touch.back()), i.touch.pop_back(); }};
+  std::vector<std::string> keys{Input{}.key()};
+  for (const auto& change : changes) {
+    Input changed;
+    change(changed);
+    EXPECT_THAT(keys, testing::Not(testing::Contains(changed.key())));
+    keys.push_back(changed.key());
+  }
+  Input renamed;
+  renamed.mesh.node_groups.clear();
+  renamed.mesh.node_tags.assign(renamed.mesh.nodes.size(), 5);
+  EXPECT_EQ(renamed.key(), keys[0]);
+}
+
+TEST_F(Cache, MakesAnewABodyThatChanged) {
+  written();
+  Input changed;
+  changed.mesh.nodes[20].z() += 1e-4;
+  ComplianceCache cache(folder_.path());
+  const auto other = changed.from(cache);
+  EXPECT_EQ(cache.last_event().source, Source::Built);
+  EXPECT_FALSE(other->touch_touch == computed_.touch_touch);
+}
+
+/// Hard case 18: each kind of damage is named, and mended by making the compliance anew.
+class DamagedCache : public Cache {
+ protected:
+  void expect_mended(const std::string& damaged, const std::string& fault) {
+    const std::string sound = written();
+    put(file_, damaged);
+    ComplianceCache cache(folder_.path());
+    EXPECT_TRUE(same(*input_.from(cache), computed_));
+    EXPECT_EQ(cache.last_event().source, Source::Built);
+    EXPECT_THAT(cache.last_event().trouble, HasSubstr(file_.string()));
+    EXPECT_THAT(cache.last_event().trouble, HasSubstr(fault));
+    EXPECT_EQ(content(file_), sound);
+  }
+};
+
+TEST_F(DamagedCache, TruncatedAnywhere) {
+  const std::string sound = written();
+  for (const std::size_t length : {std::size_t{0}, std::size_t{1}, std::size_t{15}, std::size_t{40},
+                                   std::size_t{167}, std::size_t{200}, sound.size() / 2, sound.size() - 1})
+    expect_mended(sound.substr(0, length), "bytes, must hold " + std::to_string(sound.size()));
+}
+
+TEST_F(DamagedCache, WithSomethingAppended) {
+  expect_mended(written() + "x", "bytes, must hold ");
+}
+
+TEST_F(DamagedCache, FromAnotherVersion) {
+  std::string bytes = written();
+  ASSERT_EQ(bytes[16], 1);  // the version follows the magic of 16 bytes
+  bytes[16] = 2;
+  expect_mended(bytes, "has format version 2, must be 1");
+}
+
+TEST_F(DamagedCache, StaleUnderTheNameOfThisBody) {
+  Input other;
+  other.mesh.nodes[20].z() += 1e-4;
+  ComplianceCache cache(folder_.path());
+  other.from(cache);
+  expect_mended(content(folder_.path() / (other.key() + ".compliance")), "belongs to another body");
+}
+
+TEST_F(DamagedCache, ForeignFileOfTheRightSize) {
+  expect_mended(std::string(written().size(), 'x'), "is no compliance file");
+}
+
+TEST_F(DamagedCache, BitsFlippedAnywhere) {
+  const std::string sound = written();
+  for (std::size_t at = 0; at < sound.size(); at += at < 200 ? 1 : 97) {
+    std::string bytes = sound;
+    bytes[at] = static_cast<char>(bytes[at] ^ (1 << (at % 8)));
+    put(file_, bytes);
+    const CompliancePayload read = read_compliance(file_, input_.key(), input_.touch, input_.drawn);
+    EXPECT_FALSE(read.compliance.has_value()) << "byte " << at;
+    EXPECT_THAT(read.fault, HasSubstr(file_.string())) << "byte " << at;
+  }
+  std::string last = sound;
+  last.back() = static_cast<char>(last.back() ^ 1);
+  expect_mended(last, "its checksum does not fit its content");
+}
+
+TEST_F(DamagedCache, FolderInPlaceOfTheFile) {
+  fs::create_directories(file_ / "occupied");
+  ComplianceCache cache(folder_.path());
+  EXPECT_TRUE(same(*input_.from(cache), computed_));
+  EXPECT_THAT(cache.last_event().trouble, HasSubstr("made anew"));
+  EXPECT_THAT(cache.last_event().trouble, HasSubstr("not kept for the next run"));
+}
+
+TEST_F(Cache, FolderThatCannotBeMadeCostsNothingButTime) {
+  put(folder_.path() / "file", "in the way");
+  ComplianceCache cache(folder_.path() / "file" / "cache");
+  EXPECT_TRUE(same(*input_.from(cache), computed_));
+  EXPECT_EQ(cache.last_event().source, Source::Built);
+  EXPECT_THAT(cache.last_event().trouble, HasSubstr("not kept for the next run"));
+}
+
+/// A limit on the size of files stands for a full disk: the write fails half-way.
+TEST_F(Cache, FullDiskCostsNothingButTimeAndLeavesNothingBehind) {
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit small{.rlim_cur = 4096, .rlim_max = before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &small);
+  ComplianceCache cache(folder_.path());
+  const auto built = input_.from(cache);
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_TRUE(same(*built, computed_));
+  EXPECT_THAT(cache.last_event().trouble, HasSubstr("not kept for the next run"));
+  EXPECT_TRUE(fs::is_empty(folder_.path()));
+}
+
+/// Two processes write the same file over and over while this one reads it: it sees none or a whole one.
+TEST_F(Cache, TwoProcessesMayWriteAtOnce) {
+  std::vector<pid_t> writers;
+  for (int process = 0; process < 2; ++process) {
+    const pid_t writer = fork();
+    ASSERT_GE(writer, 0);
+    if (writer == 0) {
+      for (int round = 0; round < 50; ++round) write_compliance(file_, input_.key(), computed_);
+      _exit(0);
+    }
+    writers.push_back(writer);
+  }
+  int whole = 0, running = 2;
+  while (running > 0) {
+    const CompliancePayload read = read_compliance(file_, input_.key(), input_.touch, input_.drawn);
+    EXPECT_THAT(read.fault, IsEmpty());
+    if (read.compliance) whole += same(*read.compliance, computed_) ? 1 : -1000;
+    int status = 0;
+    while (running > 0 && waitpid(-1, &status, WNOHANG) > 0) {
+      EXPECT_EQ(status, 0);
+      --running;
+    }
+  }
+  EXPECT_GT(whole, 0);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), {}), 1);
+}
+
+TEST_F(Cache, TwoThreadsWithCachesOfTheirOwnMayShareAFolder) {
+  const auto work = [&] {
+    for (int round = 0; round < 5; ++round) {
+      ComplianceCache cache(folder_.path());
+      EXPECT_TRUE(same(*input_.from(cache), computed_));
+      EXPECT_THAT(cache.last_event().trouble, IsEmpty());
+    }
+  };
+  std::thread one(work), two(work);
+  one.join();
+  two.join();
+}
+
+TEST_F(Cache, PassesOnWhyABodyIsRefused) {
+  Input loose;
+  loose.fixed = {0, 1};
+  ComplianceCache cache(folder_.path());
+  EXPECT_THAT([&] { loose.from(cache); },
+              testing::ThrowsMessage<std::invalid_argument>(HasSubstr("(nodes 1 and 2)")));
+  EXPECT_TRUE(fs::is_empty(folder_.path()));
+}
+
+/// Sets a variable of the environment for a while; nullptr removes it.
+class Variable {
+ public:
+  Variable(const char* name, const char* value) : name_(name) {
+    if (const char* before = std::getenv(name)) before_ = before;
+    value == nullptr ? ::unsetenv(name) : ::setenv(name, value, 1);
+  }
+  ~Variable() { before_ ? ::setenv(name_, before_->c_str(), 1) : ::unsetenv(name_); }
+  Variable(const Variable&) = delete;
+  Variable& operator=(const Variable&) = delete;
+
+ private:
+  const char* name_;
+  std::optional<std::string> before_{};
+};
+
+TEST(CacheFolder, FollowsTheEnvironment) {
+  const Variable home("HOME", "/home/examiner");
+  const Variable xdg("XDG_CACHE_HOME", nullptr);
+  const Variable own("PALPATE_CACHE", nullptr);
+  EXPECT_EQ(ComplianceCache::default_folder(), "/home/examiner/.cache/palpate");
+  {
+    const Variable relative("XDG_CACHE_HOME", "caches");  // which the XDG specification says to ignore
+    EXPECT_EQ(ComplianceCache::default_folder(), "/home/examiner/.cache/palpate");
+  }
+  const Variable shared("XDG_CACHE_HOME", "/var/caches");
+  EXPECT_EQ(ComplianceCache::default_folder(), "/var/caches/palpate");
+  const Variable mine("PALPATE_CACHE", "mine");
+  EXPECT_EQ(ComplianceCache::default_folder(), "mine");
+}
+
+TEST(CacheFolder, IsNoneWithoutAHome) {
+  const Variable home("HOME", nullptr);
+  const Variable xdg("XDG_CACHE_HOME", nullptr);
+  const Variable own("PALPATE_CACHE", nullptr);
+  EXPECT_TRUE(ComplianceCache::default_folder().empty());
+}
+
+}  // namespace
+}  // namespace palpate::sim
