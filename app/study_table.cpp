@@ -61,6 +61,7 @@ analysis::SessionRow session_of(const std::string& protocol_sha256, const trials
           .started_utc = session.started_utc,
           .pseudo_haptic = facts.pseudo_haptic,
           .finished = session.ended_utc.has_value(),
+          .force_scale = facts.force_scale,
           .times_resumed = session.times_resumed};
 }
 
