@@ -29,6 +29,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(0, 1);
   palpate::app::add_check(app);
   palpate::app::add_cost(app);
+  palpate::app::add_demo(app);
   palpate::app::add_export(app);
   palpate::app::add_mesh(app);
   palpate::app::add_plan(app);

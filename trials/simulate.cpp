@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "trials/examinee_code.hpp"
+
 namespace palpate::trials {
 namespace {
 
@@ -154,7 +156,11 @@ void check_simulation(const std::filesystem::path& path, const Protocol& protoco
   check_observer(protocol, plan.observer);
   check_study(path, protocol);
   if (!std::filesystem::exists(path)) return;
-  check_same_population(read_study(path).sessions(), plan);
+  const std::vector<SessionRow> sessions = read_study(path).sessions();
+  check_same_population(sessions, plan);
+  std::vector<std::string> known;
+  for (const SessionRow& session : sessions) known.push_back(session.facts.examinee);
+  for (int number = 1; number <= plan.examinees; ++number) check_not_near(simulated_code(number), known);
 }
 
 void check_clamping(const Protocol& protocol, const Stimuli& stimuli, const ObserverParameters& observer) {

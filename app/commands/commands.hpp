@@ -12,6 +12,7 @@ struct Interrupted {};
 // std::system_error (exit code 3).
 void add_check(CLI::App& app);
 void add_cost(CLI::App& app);
+void add_demo(CLI::App& app);
 void add_export(CLI::App& app);
 void add_mesh(CLI::App& app);
 void add_plan(CLI::App& app);

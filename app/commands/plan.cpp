@@ -98,8 +98,8 @@ void print_text(const Plan& plan) {
   fmt::print(
       "\nExact power of the binomial test for each cell, were every answer correct with the same "
       "probability.\n"
-      "Examinees differ, so a real study has less. Power rises in a sawtooth: the first number reaches 80 "
-      "%%\n"
+      "Examinees differ, so a real study has less. Power rises in a sawtooth: the first number reaches "
+      "80 %\n"
       "first, from the last one on no larger study falls below it again.\n");
 }
 

@@ -61,6 +61,17 @@ TEST(Protocol, StimuliAreScenesWithCellAndConditionInPlace) {
   EXPECT_DOUBLE_EQ(scene.bodies.at(1).material.young_modulus, 5e6);
 }
 
+TEST(Protocol, OverridesMayBeAnyValueOfTheScene) {
+  for (const auto& [text, value] : std::vector<std::pair<std::string, std::string>>{
+           {"present\" = false", "false"},
+           {"poisson_ratio\" = 0.3", "0.3"},
+           {"offset\" = [\"0 mm\", \"0 mm\", \"1 mm\"]", "[ \"0 mm\", \"0 mm\", \"1 mm\" ]"}}) {
+    const test::Folder folder;
+    test::write(folder / "p.toml", test::with(test::shipped_text(), "young_modulus\" = \"5.0 MPa\"", text));
+    EXPECT_EQ(load_protocol(folder / "p.toml").conditions[1].overrides.at(0).value, value);
+  }
+}
+
 TEST(Protocol, PlanIsToldInWordsAndNumbers) {
   const PlanSummary plan = describe(test::small_protocol(4));
   EXPECT_EQ(plan.trials_per_session, 8);
