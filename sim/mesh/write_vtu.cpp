@@ -56,14 +56,16 @@ void write_array(Out out, const char* type, const std::string& name, int compone
 
 void write_point_data(Out out, const TetMesh& mesh, const VtuFields& fields) {
   fmt::format_to(out, "<PointData>\n");
-  for (const auto& [name, vectors] : fields.point_vectors) {
+  for (const auto& field : fields.point_vectors) {  // clang 14 captures no structured bindings
+    const Eigen::Matrix3Xd& vectors = field.second;
     assert(vectors.cols() == static_cast<Eigen::Index>(mesh.nodes.size()));
-    write_array(out, "Float64", name, 3, [&] {
+    write_array(out, "Float64", field.first, 3, [&] {
       for (const auto& v : vectors.colwise()) fmt::format_to(out, "{} {} {}\n", v.x(), v.y(), v.z());
     });
   }
-  for (const auto& [name, nodes] : mesh.node_groups)
-    write_array(out, "UInt8", "group." + name, 1, [&] {
+  for (const auto& group : mesh.node_groups)
+    write_array(out, "UInt8", "group." + group.first, 1, [&] {
+      const std::vector<int>& nodes = group.second;
       for (int i = 0; i < static_cast<int>(mesh.nodes.size()); ++i)
         fmt::format_to(out, "{}\n", std::binary_search(nodes.begin(), nodes.end(), i) ? 1 : 0);
     });
@@ -72,9 +74,10 @@ void write_point_data(Out out, const TetMesh& mesh, const VtuFields& fields) {
 
 void write_cell_data(Out out, const TetMesh& mesh, const VtuFields& fields) {
   fmt::format_to(out, "<CellData>\n");
-  for (const auto& [name, scalars] : fields.cell_scalars) {
+  for (const auto& field : fields.cell_scalars) {
+    const Eigen::VectorXd& scalars = field.second;
     assert(scalars.size() == static_cast<Eigen::Index>(mesh.tetrahedra.size()));
-    write_array(out, "Float64", name, 1, [&] {
+    write_array(out, "Float64", field.first, 1, [&] {
       for (const double value : scalars) fmt::format_to(out, "{}\n", value);
     });
   }
