@@ -15,6 +15,24 @@ std::string px(double value) {
   return fmt::format("{:g}", rounded == 0 ? 0.0 : rounded);
 }
 
+// Bytes of the UTF-8 character that begins at `at`; 0 where none does. Overlong forms pass: browsers refuse
+// them.
+std::size_t character_length(std::string_view text, std::size_t at) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char first = byte(at);
+  const std::size_t length = first < 0x80   ? 1
+                             : first < 0xC2 ? 0
+                             : first < 0xE0 ? 2
+                             : first < 0xF0 ? 3
+                             : first < 0xF5 ? 4
+                                            : 0;
+  if (length == 0 || at + length > text.size()) return 0;
+  for (std::size_t i = at + 1; i < at + length; ++i) {
+    if ((byte(i) & 0xC0) != 0x80) return 0;
+  }
+  return length;
+}
+
 std::string tick_text(const Axis& axis, double tick) {
   const double scale = std::pow(10.0, axis.decimals), rounded = std::round(tick * scale) / scale;
   return fmt::format("{:.{}f}", rounded == 0 ? 0.0 : rounded, axis.decimals);
@@ -25,29 +43,27 @@ std::string tick_text(const Axis& axis, double tick) {
 std::string escape(std::string_view text) {
   std::string safe;
   safe.reserve(text.size());
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        safe += "&amp;";
-        break;
-      case '<':
-        safe += "&lt;";
-        break;
-      case '>':
-        safe += "&gt;";
-        break;
-      case '"':
-        safe += "&quot;";
-        break;
-      case '\'':
-        safe += "&#39;";
-        break;
-      case '\n':
-        safe += c;
-        break;
-      default:
-        safe += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = character_length(text, at);
+    const char c = text[at];
+    if (length == 0) {
+      safe += "\xEF\xBF\xBD";  // the replacement character
+    } else if (c == '&') {
+      safe += "&amp;";
+    } else if (c == '<') {
+      safe += "&lt;";
+    } else if (c == '>') {
+      safe += "&gt;";
+    } else if (c == '"') {
+      safe += "&quot;";
+    } else if (c == '\'') {
+      safe += "&#39;";
+    } else if ((static_cast<unsigned char>(c) < 0x20 && c != '\n') || c == 0x7f) {
+      safe += ' ';
+    } else {
+      safe += text.substr(at, length);
     }
+    at += std::max<std::size_t>(1, length);
   }
   return safe;
 }

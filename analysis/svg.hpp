@@ -9,7 +9,8 @@ namespace palpate::analysis {
 
 // Pictures as SVG text, to stand inside an HTML page. Lengths are pixels of the picture, y runs downward.
 
-/// Text from a file made harmless inside HTML and SVG: & < > " ' become entities, control characters a space.
+/// Text from a file made harmless inside HTML and SVG: & < > " ' become entities, control characters a space,
+/// bytes that are no UTF-8 the replacement character.
 std::string escape(std::string_view text);
 
 /// A scale along one side of a picture.

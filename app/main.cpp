@@ -29,10 +29,13 @@ int main(int argc, char** argv) {
   app.require_subcommand(0, 1);
   palpate::app::add_check(app);
   palpate::app::add_cost(app);
+  palpate::app::add_demo(app);
   palpate::app::add_export(app);
   palpate::app::add_mesh(app);
+  palpate::app::add_plan(app);
   palpate::app::add_press(app);
   palpate::app::add_render(app);
+  palpate::app::add_report(app);
   palpate::app::add_run(app);
   palpate::app::add_simulate(app);
   palpate::app::add_stats(app);

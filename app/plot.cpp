@@ -46,7 +46,7 @@ std::string script(const Plot& plot, bool svg) {
                         quoted(plot.note), svg ? 10 : 14);
   text += fmt::format("set xlabel {}\nset ylabel {}\n", quoted(plot.x_label), quoted(plot.y_label));
   text += "set border 3 linecolor '#444444'\nset tics nomirror\nset grid linecolor '#e4e4e4' linetype 1\n";
-  text += "set key outside right top Left reverse\n";
+  text += "set key below Left reverse width 1\n";
   if (plot.log_x) text += "set logscale x\n";
   text += plot.log_y ? "set logscale y\n" : "set yrange [0:*]\n";
   for (std::size_t i = 0; i < plot.series.size(); ++i) {

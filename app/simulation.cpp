@@ -27,6 +27,7 @@ SimulationResult run_simulation(const std::filesystem::path& protocol_file,
   trials::check_simulation(study_file, protocol, plan);
   sim::ComplianceCache cache(sim::ComplianceCache::default_folder());
   const trials::Stimuli stimuli = trials::compile_stimuli(protocol, cache);
+  trials::check_clamping(protocol, stimuli, plan.observer);
 
   catch_interrupts();
   trials::StudyFile study = trials::open_study(study_file, protocol, PALPATE_VERSION);

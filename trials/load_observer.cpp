@@ -79,7 +79,8 @@ ObserverParameters load_observer(const std::filesystem::path& file) {
   p.name = reader.required_text("name");
   read_press(section(reader, "press"), p);
   TomlReader device = section(reader, "device");
-  p.max_force = quantity(device, "max_force", Dimension::Force, "\"8.5 N\"", false);
+  p.device.force_scale = number(device, "force_scale", 1e-6, 1e6);
+  p.device.max_force = quantity(device, "max_force", Dimension::Force, "\"8.5 N\"", false);
   device.refuse_unknown();
   read_senses(section(reader, "senses"), p);
   read_decision(section(reader, "decision"), p);
@@ -95,7 +96,8 @@ std::string to_json(const ObserverParameters& p) {
                         {"tremor_period_s", p.tremor_period},
                         {"drift_m", p.drift},
                         {"drift_period_s", p.drift_period},
-                        {"max_force_n", p.max_force},
+                        {"force_scale", p.device.force_scale},
+                        {"max_force_n", p.device.max_force},
                         {"force_noise_n", p.force_noise},
                         {"position_noise_m", p.position_noise},
                         {"weber_fraction", as_json(p.weber_fraction)},

@@ -72,7 +72,7 @@ std::vector<sim::Vec3> plan_press(const Observer& observer, const sim::Vec3& dir
 }
 
 IntervalRecord drive(const sim::Model& model, sim::Scratch& scratch, const std::vector<sim::Vec3>& path,
-                     double max_force) {
+                     const Device& device) {
   const sim::Memory memory;
   const sim::Vec3 direction = model.probes.front().direction;
   std::vector<sim::ProbePose> pose(model.probes.size());  // the other probes stay where they rest
@@ -81,10 +81,10 @@ IntervalRecord drive(const sim::Model& model, sim::Scratch& scratch, const std::
   for (std::size_t i = 0; i < path.size(); ++i) {
     pose.front().displacement = path[i];
     const sim::CycleResult result = sim::cycle(model, memory, pose, scratch);
-    sim::Vec3 force = result.probe_forces.front();
+    sim::Vec3 force = device.force_scale * result.probe_forces.front();
     const double magnitude = force.norm();
-    if (magnitude > max_force) {
-      force *= max_force / magnitude;
+    if (magnitude > device.max_force) {
+      force *= device.max_force / magnitude;
       ++clamped;
     }
     const auto depth = static_cast<float>(path[i].dot(direction));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -19,6 +20,12 @@ struct Spread {
   double within = 0.0;   // standard deviation between presses of one examinee
 };
 
+/// How the force of the scene becomes the force on the finger: scaled, then cut.
+struct Device {
+  double force_scale = 1.0;     // [-]
+  double max_force = INFINITY;  // largest magnitude that the device gives [N]
+};
+
 /// What simulated examinees are like; read from a file such as protocols/observers/default.toml, which gives
 /// the source of every figure.
 struct ObserverParameters {
@@ -33,8 +40,7 @@ struct ObserverParameters {
   double drift = 0.0;          // sideways, root mean square in each direction [m]
   double drift_period = 1.0;   // [s]
 
-  // What the device gives back.
-  double max_force = 0.0;  // force is cut at this magnitude [N]
+  Device device{};
 
   // What is perceived.
   double force_noise = 0.0;     // of each sample, standard deviation [N]
@@ -72,9 +78,9 @@ constexpr double kObserverRate = 1000;  // [Hz]
 /// Source: [Flash1985] for the minimum-jerk course.
 std::vector<sim::Vec3> plan_press(const Observer& observer, const sim::Vec3& direction, Generator& generator);
 
-/// Moves the model's first probe along `path`, cycle by cycle, and cuts the force as the device would.
+/// Moves the model's first probe along `path`, cycle by cycle, and gives the force back as the device would.
 IntervalRecord drive(const sim::Model& model, sim::Scratch& scratch, const std::vector<sim::Vec3>& path,
-                     double max_force);
+                     const Device& device);
 
 /// How stiff the interval felt: logarithm of the least-squares slope of noisy force over noisy depth, with
 /// the internal noise that the Weber fraction stands for. Knows nothing but the positions that the finger

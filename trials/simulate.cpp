@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <future>
+#include <limits>
 #include <map>
 #include <stdexcept>
 #include <thread>
+
+#include "trials/examinee_code.hpp"
 
 namespace palpate::trials {
 namespace {
@@ -119,7 +122,7 @@ SimulatedTrial play(const Protocol& protocol, const Stimuli& stimuli, const Obse
     sim::Scratch scratch(model);
     for (int attempt = 1;; ++attempt) {
       const auto path = plan_press(observer, model.probes.front().direction, hand);
-      trial.presentations.push_back(drive(model, scratch, path, observer.parameters->max_force));
+      trial.presentations.push_back(drive(model, scratch, path, observer.parameters->device));
       if (judge(summarise(trial.presentations.back().trace), protocol.exploration) == Verdict::Enough) break;
       if (attempt == kMostAttempts)
         throw std::invalid_argument(fmt::format(
@@ -142,6 +145,7 @@ SessionFacts simulated_facts(const SimulationPlan& plan, int number) {
   facts.software_version = plan.software_version;
   facts.machine = plan.machine;
   facts.device = "simulated observer";
+  facts.force_scale = plan.observer.device.force_scale;
   facts.seed = plan.seed;
   facts.observer = to_json(plan.observer);
   return facts;
@@ -152,7 +156,31 @@ void check_simulation(const std::filesystem::path& path, const Protocol& protoco
   check_observer(protocol, plan.observer);
   check_study(path, protocol);
   if (!std::filesystem::exists(path)) return;
-  check_same_population(read_study(path).sessions(), plan);
+  const std::vector<SessionRow> sessions = read_study(path).sessions();
+  check_same_population(sessions, plan);
+  std::vector<std::string> known;
+  for (const SessionRow& session : sessions) known.push_back(session.facts.examinee);
+  for (int number = 1; number <= plan.examinees; ++number) check_not_near(simulated_code(number), known);
+}
+
+void check_clamping(const Protocol& protocol, const Stimuli& stimuli, const ObserverParameters& observer) {
+  const Device& device = observer.device;
+  for (std::size_t cell = 0; cell < protocol.cells.size(); ++cell) {
+    double weakest = std::numeric_limits<double>::infinity();
+    for (const std::size_t condition : protocol.pair) {
+      const sim::Model& model = *stimuli.at(stimulus_index(protocol, cell, condition));
+      sim::Scratch scratch(model);
+      const std::vector<sim::Vec3> pressed{observer.depth.mean * model.probes.front().direction};
+      const IntervalRecord record = drive(model, scratch, pressed, {.force_scale = device.force_scale});
+      weakest = std::min(weakest, summarise(record.trace).peak_force);
+    }
+    if (weakest > device.max_force)
+      throw std::invalid_argument(fmt::format(
+          "observer {}: pressed {:g} mm deep with {}, both conditions give {:.3g} N and more, and the device "
+          "cuts "
+          "them both to {:g} N; accepted: a device.force_scale that keeps them apart",
+          observer.name, 1e3 * observer.depth.mean, protocol.cells[cell].name, weakest, device.max_force));
+  }
 }
 
 SimulationReport simulate(StudyFile& study, const Protocol& protocol, const Stimuli& stimuli,

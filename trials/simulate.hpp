@@ -52,6 +52,9 @@ SessionFacts simulated_facts(const SimulationPlan& plan, int number);
 SimulationReport simulate(StudyFile& study, const Protocol& protocol, const Stimuli& stimuli,
                           const SimulationPlan& plan, const Progress& progress);
 
+/// Throws std::invalid_argument where the device would cut both conditions of a cell to one force.
+void check_clamping(const Protocol& protocol, const Stimuli& stimuli, const ObserverParameters& observer);
+
 /// Refuses what simulate() would refuse, and writes nothing.
 void check_simulation(const std::filesystem::path& path, const Protocol& protocol,
                       const SimulationPlan& plan);

@@ -27,6 +27,7 @@ struct SessionFacts {
   std::string device{};                   // "mouse", "simulated observer"
   bool pseudo_haptic = false;             // no force reaches the hand
   std::string channel{};                  // what carries the stimulus then: "pointer lag"; else empty
+  double force_scale = 1.0;               // of the force that reaches the hand
   Seed seed{};                            // of the order; none: the operating system's entropy
   std::optional<std::string> observer{};  // parameters of a simulated examinee, as JSON
 };

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <ctime>
 #include <stdexcept>
+#include <string>
 
 namespace palpate::trials {
 namespace {
@@ -31,6 +32,11 @@ TraceSample sample_of(const std::array<float, kColumns>& c) {
           .depth = c[2],
           .displacement = {c[3], c[4], c[5]},
           .force = {c[6], c[7], c[8]}};
+}
+
+/// The number that a single-precision value is written as: 0.999, not 0.9990000128746033.
+double decimal(double value) {
+  return std::stod(fmt::format("{}", static_cast<float>(value)));
 }
 
 double magnitude(const std::array<float, 3>& force) {
@@ -59,7 +65,9 @@ ExplorationSummary summarise(const Trace& trace) {
     if (force > 0) summary.max_depth = std::max(summary.max_depth, static_cast<double>(sample.depth));
   }
   summary.presses = presses.begun();
-  if (!trace.empty()) summary.time = trace.back().time;
+  summary.peak_force = decimal(summary.peak_force);
+  summary.max_depth = decimal(summary.max_depth);
+  if (!trace.empty()) summary.time = decimal(trace.back().time);
   return summary;
 }
 

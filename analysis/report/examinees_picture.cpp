@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 
 #include "analysis/report/pictures.hpp"
 #include "analysis/svg.hpp"
@@ -64,10 +65,46 @@ std::string row(const StudyReport& report, std::size_t examinee, const Axis& axi
   return text;
 }
 
+// How many examinees have which percentage, a panel for each cell: where rows would fill pages.
+std::string histogram(const StudyReport& report) {
+  constexpr int kBins = 20;
+  constexpr double kPanel = 110;
+  Axis x = nice_axis(0, 100, 5, false, "correct answers (%)");
+  x.pixel_low = kLeft, x.pixel_high = kRight;
+  const double bottom = kTop + kPanel * static_cast<double>(report.cells.size());
+  std::string marks =
+      horizontal_axis(x, bottom, kTop - 20) + line(x.at(50), bottom, x.at(50), kTop - 20, "class=\"chance\"");
+  for (std::size_t c = 0; c < report.cells.size(); ++c) {
+    std::array<long, kBins> counts{};
+    for (const ExamineeCount& count : report.cells[c].by_examinee) {
+      if (count.trials > 0)
+        ++counts[static_cast<std::size_t>(std::min((kBins - 1L), kBins * count.correct / count.trials))];
+    }
+    const double most = static_cast<double>(std::max(1L, *std::max_element(counts.begin(), counts.end())));
+    const double base = kTop + kPanel * static_cast<double>(c + 1);
+    for (std::size_t bin = 0; bin < kBins; ++bin) {
+      const double left = x.at(100.0 / kBins * static_cast<double>(bin)),
+                   right = x.at(100.0 / kBins * static_cast<double>(bin + 1));
+      const double height = (kPanel - 26) * static_cast<double>(counts[bin]) / most;
+      marks += rectangle(left + 1, base - height, right - left - 2, height,
+                         fmt::format("fill=\"{}\" class=\"bar\"", colour(c)));
+    }
+    marks += line(kLeft, base, kRight, base, "class=\"axis\"") +
+             label(kLeft - 12, base - 6, "end", report.cells[c].name, "class=\"row\"") +
+             label(kRight, base - kPanel + 20, "end", fmt::format("tallest bar: {:.0f} examinees", most),
+                   "class=\"tick\"");
+  }
+  return picture("examinees", kWidth, bottom + 52, "Examinees by their percentage correct",
+                 "The number of examinees in steps of 5 percent, a panel for each cell; a table gives each "
+                 "one's counts.",
+                 marks);
+}
+
 }  // namespace
 
 std::string examinees_picture(const StudyReport& report) {
   if (report.examinees.empty()) return "";
+  if (report.examinees.size() > kMostRows) return histogram(report);
   const bool labelled = report.examinees.size() <= kLabelled;
   const double height = labelled ? 20 : 9, size = labelled ? 5 : 3;
   Axis axis = nice_axis(0, 100, 5, false, "correct answers (%)");

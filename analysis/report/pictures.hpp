@@ -11,7 +11,11 @@ namespace palpate::analysis {
 /// Correct answers of each cell, what guessing would give, and the critical number: Fig. 9 of [Kuroda2003].
 std::string answers_picture(const StudyReport& report);
 
-/// Proportion correct of each examinee under each cell, a row for each examinee.
+/// Examinees up to which the next picture has a row for each.
+constexpr std::size_t kMostRows = 150;
+
+/// Proportion correct of each examinee under each cell, a row for each examinee; a histogram of larger
+/// studies.
 std::string examinees_picture(const StudyReport& report);
 
 /// Mean force over depth by condition, a panel for each cell: Fig. 8 of [Kuroda2003] as the study presented

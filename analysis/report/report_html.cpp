@@ -114,8 +114,10 @@ std::string people_section(const StudyReport& report) {
              report.run_mode == "simulated" ? "Do simulated examinees in general?" : "Do people in general?",
              "secondary") +
          figure(examinees_picture(report),
-                "Percentage correct of each examinee; a grey line joins the cells of one "
-                "examinee. Dashed: chance.") +
+                report.examinees.size() > kMostRows
+                    ? "Examinees by their percentage correct, in steps of 5 %. Dashed: chance."
+                    : "Percentage correct of each examinee; a grey line joins the cells of one examinee. "
+                      "Dashed: chance.") +
          html_table(people_table(report)) + paragraph(report.people_claim, "claim") + kEnd;
 }
 

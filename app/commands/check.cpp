@@ -94,10 +94,10 @@ void print_text(const SceneCheck& check) {
         q.min_dihedral, q.max_dihedral, q.min_radius_ratio, q.mean_radius_ratio);
     for (const std::string& warning : q.warnings) fmt::print("    warning: {}\n", warning);
   }
-  fmt::print("\n{:<24}{:<5}{:>16}  {}\n", "effects", "", "us a cycle", "why");
-  fmt::print("  {:<22}{:<5}{:>16.1f}  {}\n", "linear elasticity", "on", check.deformation_us, "every scene");
+  fmt::print("\n{:<27}{:<5}{:>13}  {}\n", "effects", "", "us a cycle", "why");
+  fmt::print("  {:<25}{:<5}{:>13.1f}  {}\n", "linear elasticity", "on", check.deformation_us, "every scene");
   for (const sim::Effect& effect : check.effects)
-    fmt::print("  {:<22}{:<5}{:>16}  {}\n", effect.name, effect.on ? "on" : "off", cost_of(check, effect),
+    fmt::print("  {:<25}{:<5}{:>13}  {}\n", effect.name, effect.on ? "on" : "off", cost_of(check, effect),
                effect.reason);
   fmt::print("\nMedian times on this machine, probes at their full depth.\n");
 }

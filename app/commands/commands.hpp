@@ -12,10 +12,13 @@ struct Interrupted {};
 // std::system_error (exit code 3).
 void add_check(CLI::App& app);
 void add_cost(CLI::App& app);
+void add_demo(CLI::App& app);
 void add_export(CLI::App& app);
 void add_mesh(CLI::App& app);
+void add_plan(CLI::App& app);
 void add_press(CLI::App& app);
 void add_render(CLI::App& app);
+void add_report(CLI::App& app);
 void add_run(CLI::App& app);
 void add_simulate(CLI::App& app);
 void add_stats(CLI::App& app);

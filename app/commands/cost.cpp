@@ -102,10 +102,11 @@ void print_text(const std::vector<SceneCost>& costs) {
       print_row("", "", "interaction", cost.interaction);
       print_row("", "", "total", cost.total);
       fmt::print(
-          "{:<9} {:>8}  {:.1f} times the limit: {:.3f} us to read the final contact set's compliance once "
-          "({:.1f} kB); {} cycles\n",
-          "", "", cost.total.median / cost.limit, cost.limit, 1e-3 * static_cast<double>(cost.limit_bytes),
-          cost.cycles);
+          "{:<20}{:.1f} times the limit: {:.3f} us to read the final contact set's compliance once ({:.1f} "
+          "kB)\n",
+          "", cost.total.median / cost.limit, cost.limit, 1e-3 * static_cast<double>(cost.limit_bytes));
+      fmt::print("{:<20}{} cycles, interrupted {} times by other programs\n", "", cost.cycles,
+                 cost.interruptions);
     }
   }
   fmt::print("\nPublished: deformation {:.0f}, interaction {:.0f}, total {:.0f} us with {} nodes ({})\n",
@@ -121,6 +122,7 @@ ordered_json to_json(const sim::CycleCost& cost) {
           {"touching", cost.touching},
           {"active", cost.active},
           {"cycles", cost.cycles},
+          {"interruptions", cost.interruptions},
           {"deformation", to_json(cost.deformation)},
           {"interaction", to_json(cost.interaction)},
           {"total", to_json(cost.total)},

@@ -10,6 +10,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/output.hpp"
+#include "app/plot.hpp"
 #include "app/scene_options.hpp"
 #include "sim/compliance/cache.hpp"
 #include "sim/elasticity/static_solve.hpp"
@@ -27,6 +28,7 @@ struct Options {
   std::string depth;
   int steps = 10;
   std::string save;
+  std::string plot;
   std::string format;
 };
 
@@ -135,7 +137,19 @@ void save_state(const sim::Model& model, const sim::Press& press, const std::str
   }
 }
 
+/// Fig. 8: what the finger feels over its depth.
+void plot(const sim::Model& model, const sim::Press& press, const std::string& file) {
+  PlotSeries force{.name = std::string(sim::to_string(model.law)), .x = {0.0}, .y = {0.0}};
+  for (const sim::PressStep& step : press.curve) {
+    force.x.push_back(1e3 * step.depth);
+    force.y.push_back(sim::normal_force(model.probes.front(), step.probe_forces.front()));
+  }
+  draw_plot({.title = model.scene, .x_label = "depth [mm]", .y_label = "force [N]", .series = {force}}, file);
+  fmt::print(stderr, "wrote {}\n", file);
+}
+
 void run(const Options& options) {
+  if (!options.plot.empty()) check_plot_file(options.plot);
   sim::ComplianceCache cache(sim::ComplianceCache::default_folder());
   const sim::Model model = sim::compile(load_scene(options.scene), cache);
   const double depth = options.depth.empty() ? model.probes.front().depth
@@ -147,6 +161,7 @@ void run(const Options& options) {
   else
     print_text(model, press);
   if (!options.save.empty()) save_state(model, press, options.save);
+  if (!options.plot.empty()) plot(model, press, options.plot);
 }
 
 }  // namespace
@@ -162,6 +177,7 @@ void add_press(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--save", options->save,
                       "Write STATE.<body>.vtu with displacement, force and von Mises stress");
+  command->add_option("--plot", options->plot, "Write a plot of the force over the depth, .svg or .png");
   add_format(*command, options->format);
   command->footer(
       "Example:\n  palpate press data/scenes/rectal-palpation.toml --model kuroda --depth \"5 mm\" "

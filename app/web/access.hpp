@@ -12,10 +12,10 @@ std::string draw_token();
 
 /// What a request claims about where it comes from.
 struct Claim {
-  std::string_view host;    // Host header
-  std::string_view origin;  // Origin header, empty when there is none
-  std::string_view target;  // "/TOKEN/page.js"
-  bool upgrade = false;     // asks for a WebSocket
+  std::string_view host{};    // Host header
+  std::string_view origin{};  // Origin header, empty when there is none
+  std::string_view target{};  // "/TOKEN/page.js"
+  bool upgrade = false;       // asks for a WebSocket
 };
 
 enum class Access { Granted, WrongHost, WrongOrigin, WrongToken };

@@ -16,16 +16,16 @@ namespace palpate::app {
 
 /// What is to be shown. Nothing here depends on condition, model or correct answer.
 struct PhaseMessage {
-  std::uint32_t id = 0;    // of this showing
-  std::string_view phase;  // "welcome", "gesture", "ready", "interval", "pause", "again", "question",
-                           // "thanks", "end", "fault"
+  std::uint32_t id = 0;      // of this showing
+  std::string_view phase{};  // "welcome", "gesture", "ready", "interval", "pause", "again", "question",
+                             // "thanks", "end", "fault"
   int interval = 0, intervals = 2;
   int block = 0, blocks = 0;
-  std::string question;
-  std::string_view run_mode;
+  std::string question{};
+  std::string_view run_mode{};
   bool pseudo_haptic = true;
   bool picture = false;  // whether frames follow
-  std::string notice;    // a sentence to show first; may be empty
+  std::string notice{};  // a sentence to show first; may be empty
   std::array<int, 2> presses{1, 1};
 };
 std::string encode(const PhaseMessage& message);

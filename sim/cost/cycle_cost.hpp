@@ -28,6 +28,7 @@ struct CycleCost {
   bool touching = false;                // false: no pose of the press brings bodies together
   int active = 0;                       // (node, polygon) pairs at the deepest pose
   int cycles = 0;                       // that were timed
+  long interruptions = 0;               // meanwhile, by other programs: they are in the slowest times
   Spread deformation{};                 // by the probes alone: the same pose under the model `none`
   Spread interaction{};                 // detection and contact: the rest of the cycle
   Spread total{};

@@ -23,8 +23,9 @@ void main() {
 }
 )";
 
-// Light is added up in linear colours (a gamma of 2.2). A translucent surface is denser where it is seen from
-// the side, as a film is: this draws its outline. Mesh edges are a faint darkening one pixel wide.
+// Light is added up in nearly linear colours (a gamma of 2: no pow(), which took a fifth of a frame's time).
+// A translucent surface is denser where it is seen from the side, as a film is: this draws its outline. Mesh
+// edges are a faint darkening one pixel wide.
 inline constexpr const char* kFragmentShader = R"(
 #version 120
 varying vec3 at;
@@ -37,10 +38,16 @@ void main() {
   vec3 n = normalize(gl_FrontFacing ? outwards : -outwards);
   vec3 v = normalize(-at);
   float facing = max(dot(n, v), 0.0);
-  float rim = pow(1.0 - facing, 3.0);
-  vec3 albedo = pow(tint.rgb, vec3(2.2));
+  float aside = 1.0 - facing;
+  float rim = aside * aside * aside;
+  vec3 albedo = tint.rgb * tint.rgb;
   float diffuse = 0.42 + 0.05 * n.y + 0.55 * max(dot(n, key), 0.0) + 0.20 * max(dot(n, fill), 0.0);
-  float shine = pow(max(dot(n, normalize(key + v)), 0.0), 40.0);
+  float shine = max(dot(n, normalize(key + v)), 0.0);
+  shine *= shine;
+  shine *= shine;
+  shine *= shine;
+  shine *= shine;
+  shine *= shine;  // to the power of 32
   vec3 light = albedo * diffuse * (1.0 - 0.45 * rim) + vec3(0.16) * shine;
   float opacity = tint.a < 1.0 ? mix(tint.a, 1.0, 0.75 * rim) + 0.25 * shine : 1.0;
 
@@ -48,7 +55,7 @@ void main() {
   float line = 1.0 - smoothstep(0.4, 1.2, min(min(pixels.x, pixels.y), pixels.z));
   if (!gl_FrontFacing) line = 0.0;
   light *= 1.0 - 0.22 * line;
-  gl_FragColor = vec4(pow(light, vec3(1.0 / 2.2)), clamp(opacity + 0.10 * line, 0.0, 1.0));
+  gl_FragColor = vec4(sqrt(light), clamp(opacity + 0.10 * line, 0.0, 1.0));
 }
 )";
 

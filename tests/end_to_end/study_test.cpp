@@ -38,9 +38,10 @@ class StudyEndToEnd : public testing::Test {
   }
   /// The exported answers without what differs from run to run: onset_utc, the 13th column.
   std::string answers(const std::string& study) const {
-    const Outcome exported = run({"export", file(study), "--as", "csv", "--out", file(study + ".csv")});
+    const Folder out;
+    const Outcome exported = run({"export", file(study), "--as", "csv", "--out", out.path().string()});
     EXPECT_EQ(exported.exit_code, 0) << exported.err;
-    std::istringstream lines(read(folder_ / (study + ".csv/trials.csv")));
+    std::istringstream lines(read(out / "trials.csv"));
     std::string kept;
     for (std::string line; std::getline(lines, line);) {
       std::istringstream cells(line);

@@ -145,8 +145,7 @@ TEST_P(EveryScene, LeavesASmallGapAtRest) {
     const BodySpec& body = scene.bodies[static_cast<std::size_t>(i)];
     return measure_quality(read_mesh(body.mesh, body.metres_per_unit).mesh);
   };
-  // Both pairs meet at one point of their z axis: the lower body's highest face and the upper body's lowest
-  // node.
+  // A horizontal plane lies between the two bodies of every scene here, so that they cannot overlap.
   const double gap = std::max(box(0).lower.z() - box(1).upper.z(), box(1).lower.z() - box(0).upper.z());
   EXPECT_GT(gap, 0.05e-3);
   EXPECT_LT(gap, 0.5e-3);

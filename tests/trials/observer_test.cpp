@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <set>
+#include <stdexcept>
 
 #include "tests/trials/support/protocols.hpp"
 #include "trials/simulate.hpp"
@@ -22,7 +23,6 @@ ObserverParameters plain() {
   ObserverParameters p{.name = "plain"};
   p.depth = {.mean = 4e-3, .between = 0, .within = 0};
   p.duration = {.mean = 0.6, .between = 0, .within = 0};
-  p.max_force = 1e3;
   p.weber_fraction = {.mean = 0.2, .between = 0, .within = 0};
   return p;
 }
@@ -185,7 +185,7 @@ TEST_F(ObserverOnOrgans, TheModelOfThePaperTellsConditionsApartAndSibillesDoesNo
   const auto peak = [&](std::size_t cell, std::size_t condition) {
     const sim::Model& model = *stimuli.at(stimulus_index(protocol, cell, condition));
     sim::Scratch scratch(model);
-    return summarise(drive(model, scratch, path, 1e3).trace).peak_force;
+    return summarise(drive(model, scratch, path, {}).trace).peak_force;
   };
   EXPECT_GT(peak(0, 1) / peak(0, 0), 1.1);
   EXPECT_NEAR(peak(1, 1) / peak(1, 0), 1.0, 1e-6);  // single precision of the trace
@@ -200,11 +200,22 @@ TEST_F(ObserverOnOrgans, ForceIsCutAsTheDeviceWould) {
   const sim::Model& model = *stimuli.at(0);
   sim::Scratch scratch(model);
   const auto path = plan_press(observer, model.probes.front().direction, generator);
-  const double whole = summarise(drive(model, scratch, path, 1e3).trace).peak_force;
-  const IntervalRecord cut = drive(model, scratch, path, whole / 2);
+  const double whole = summarise(drive(model, scratch, path, {}).trace).peak_force;
+  const IntervalRecord cut = drive(model, scratch, path, {.max_force = whole / 2});
   EXPECT_NEAR(summarise(cut.trace).peak_force, whole / 2, 1e-6 * whole);
   EXPECT_GT(cut.clamped_fraction, 0.3);
   EXPECT_LT(cut.clamped_fraction, 1.0);
+  const double tenth = summarise(drive(model, scratch, path, {.force_scale = 0.1}).trace).peak_force;
+  EXPECT_NEAR(tenth, whole / 10, 1e-6 * whole);
+}
+
+TEST_F(ObserverOnOrgans, ADeviceThatCutsBothConditionsToOneForceIsRefused) {
+  const Protocol protocol = protocol_of(test::shipped_text());
+  const Stimuli stimuli = compile(protocol);
+  ObserverParameters p = plain();
+  EXPECT_NO_THROW(check_clamping(protocol, stimuli, p));
+  p.device.max_force = 1.0;
+  EXPECT_THROW(check_clamping(protocol, stimuli, p), std::invalid_argument);
 }
 
 }  // namespace

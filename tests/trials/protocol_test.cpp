@@ -61,6 +61,17 @@ TEST(Protocol, StimuliAreScenesWithCellAndConditionInPlace) {
   EXPECT_DOUBLE_EQ(scene.bodies.at(1).material.young_modulus, 5e6);
 }
 
+TEST(Protocol, OverridesMayBeAnyValueOfTheScene) {
+  for (const auto& [text, value] : std::vector<std::pair<std::string, std::string>>{
+           {"present\" = false", "false"},
+           {"poisson_ratio\" = 0.3", "0.3"},
+           {"offset\" = [\"0 mm\", \"0 mm\", \"1 mm\"]", "[ \"0 mm\", \"0 mm\", \"1 mm\" ]"}}) {
+    const test::Folder folder;
+    test::write(folder / "p.toml", test::with(test::shipped_text(), "young_modulus\" = \"5.0 MPa\"", text));
+    EXPECT_EQ(load_protocol(folder / "p.toml").conditions[1].overrides.at(0).value, value);
+  }
+}
+
 TEST(Protocol, PlanIsToldInWordsAndNumbers) {
   const PlanSummary plan = describe(test::small_protocol(4));
   EXPECT_EQ(plan.trials_per_session, 8);
@@ -74,7 +85,7 @@ TEST(Protocol, MistypedKeysNameFileLineAndTheKeyThatIsMeant) {
               AllOf(StartsWith("p.toml:"), HasSubstr("analysis.alpha: is missing")));
   EXPECT_THAT(
       refusal_with("[sample]", "[sample]\nplaned_examinees = 3"),
-      AllOf(StartsWith("p.toml:39: sample.planed_examinees: unknown key"), HasSubstr("planned_examinees")));
+      AllOf(StartsWith("p.toml:37: sample.planed_examinees: unknown key"), HasSubstr("planned_examinees")));
   EXPECT_THAT(refusal_with("[display]", "colour = 1\n[display]"),
               HasSubstr("exploration.colour: unknown key"));
   EXPECT_THAT(refusal_with("question =", "qestion ="), HasSubstr("question: is missing"));
@@ -82,7 +93,7 @@ TEST(Protocol, MistypedKeysNameFileLineAndTheKeyThatIsMeant) {
 
 TEST(Protocol, QuantitiesNeedTheRightUnit) {
   EXPECT_THAT(refusal_with("\"3 mm\"", "\"3\""),
-              AllOf(StartsWith("p.toml:31: exploration.min_depth"), HasSubstr("mm")));
+              AllOf(StartsWith("p.toml:30: exploration.min_depth"), HasSubstr("mm")));
   EXPECT_THAT(refusal_with("\"3 mm\"", "3"), HasSubstr("accepted: a quantity with its unit"));
   EXPECT_THAT(refusal_with("\"3 mm\"", "\"3 s\""), HasSubstr("exploration.min_depth"));
   EXPECT_THAT(refusal_with("\"10 s\"", "\"10 mm\""), HasSubstr("exploration.max_time"));
@@ -97,7 +108,7 @@ TEST(Protocol, ImpossiblePlansAreRefused) {
   EXPECT_THAT(refusal_with("per_cell = 4", "per_cell = 0"),
               HasSubstr("found 0, accepted: a whole number from 1"));
   EXPECT_THAT(refusal_with("per_cell = 4", "per_cell = -4"), HasSubstr("found -4"));
-  EXPECT_THAT(refusal_with("[1, 5]", "[5, 1]"), AllOf(HasSubstr("p.toml:30:"), HasSubstr("found [5, 1]")));
+  EXPECT_THAT(refusal_with("[1, 5]", "[5, 1]"), AllOf(HasSubstr("p.toml:29:"), HasSubstr("found [5, 1]")));
   EXPECT_THAT(refusal_with("[1, 5]", "[1]"), HasSubstr("exploration.presses"));
   EXPECT_THAT(refusal_with("= 0.05", "= 0"), HasSubstr("analysis.alpha: found 0"));
   EXPECT_THAT(refusal_with("= 0.05", "= 1.0"), HasSubstr("analysis.alpha: found 1"));

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "tests/trials/support/protocols.hpp"
+#include "tests/trials/support/sitting.hpp"
 #include "trials/table.hpp"
 
 namespace palpate::trials {
@@ -121,6 +122,17 @@ TEST_F(SimulateTest, RefusesAnotherSeedOrAnotherObserverInOneStudy) {
   SimulationPlan other = plan_for(2, 7);
   other.observer.lapse_rate = 0.5;
   EXPECT_THAT(refusal(other), HasSubstr("other parameters"));
+}
+
+TEST_F(SimulateTest, RefusesCodesThatReadLikeAPersons) {
+  const Protocol& protocol = Shared::get().protocol;
+  {
+    StudyFile study = open_study(folder_ / "a.db", protocol, "0.1.0");
+    start_session(study, protocol, test::facts_of("s-2"));
+  }
+  EXPECT_THAT(test::message_of<std::invalid_argument>(
+                  [&] { check_simulation(folder_ / "a.db", protocol, plan_for(3, 7)); }),
+              HasSubstr("\"S02\" is not in this study but reads like \"s-2\""));
 }
 
 TEST_F(SimulateTest, RefusesAnObserverWhoCannotFulfilTheProtocol) {

@@ -82,6 +82,7 @@ std::string canonical_text(const Protocol& design, const SessionRow& session, co
   add(text, "device", session.facts.device);
   add(text, "pseudo-haptic", session.facts.pseudo_haptic ? 1 : 0);
   add(text, "channel", session.facts.channel);
+  add(text, "force scale", std::optional(session.facts.force_scale));
   add(text, "seed", session.facts.seed ? fmt::format("{}", *session.facts.seed) : std::string("entropy"));
   add(text, "observer", session.facts.observer.value_or("null"));
   add(text, "trial", drawn.trial.number);

@@ -40,6 +40,7 @@ CREATE TABLE session (
   device           TEXT NOT NULL,
   pseudo_haptic    INTEGER NOT NULL CHECK (pseudo_haptic IN (0, 1)),
   channel          TEXT NOT NULL,
+  force_scale      REAL NOT NULL,
   seed             TEXT,
   observer         TEXT,
   UNIQUE (examinee, number)

@@ -9,10 +9,10 @@ std::int64_t SessionStore::add(const SessionRow& session) {
   const auto seed = facts.seed ? std::optional(fmt::format("{}", *facts.seed)) : std::nullopt;
   Query(database_,
         "INSERT INTO session (examinee, number, run_mode, started_utc, software_version, machine, device, "
-        "pseudo_haptic, channel, seed, observer) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+        "pseudo_haptic, channel, force_scale, seed, observer) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
         facts.examinee, session.number, std::string(to_string(facts.run_mode)), session.started_utc,
-        facts.software_version, facts.machine, facts.device, facts.pseudo_haptic, facts.channel, seed,
-        facts.observer)
+        facts.software_version, facts.machine, facts.device, facts.pseudo_haptic, facts.channel,
+        facts.force_scale, seed, facts.observer)
       .run();
   return database_.getLastInsertRowid();
 }
@@ -21,7 +21,7 @@ std::vector<SessionRow> SessionStore::all() const {
   std::vector<SessionRow> sessions;
   Query rows(database_,
              "SELECT id, examinee, number, run_mode, started_utc, software_version, machine, device, "
-             "pseudo_haptic, channel, seed, observer, "
+             "pseudo_haptic, channel, seed, observer, force_scale, "
              "(SELECT max(utc) FROM event WHERE event.session = session.id AND kind = 'session ended'), "
              "(SELECT count(*) FROM event WHERE event.session = session.id AND kind = 'resumed') "
              "FROM session ORDER BY id");
@@ -34,12 +34,13 @@ std::vector<SessionRow> SessionStore::all() const {
                      .device = rows.text(7),
                      .pseudo_haptic = rows.number(8) != 0,
                      .channel = rows.text(9),
+                     .force_scale = rows.real(12),
                      .seed = {},
                      .observer = rows.optional_text(11)};
     if (const auto seed = rows.optional_text(10)) session.facts.seed = std::stoull(*seed);
     session.started_utc = rows.text(4);
-    session.ended_utc = rows.optional_text(12);
-    session.times_resumed = rows.number(13);
+    session.ended_utc = rows.optional_text(13);
+    session.times_resumed = rows.number(14);
     sessions.push_back(std::move(session));
   }
   return sessions;

@@ -42,17 +42,16 @@ TEST_P(HeldAgainst, LinearTissueRestsWhereTheSpringBalances) {
 TEST_P(HeldAgainst, NeverOvershootsNorTrembles) {
   const double stiffness = GetParam(), spring = PseudoHapticCoupling{}.spring;
   const double balance = kHand * spring / (spring + stiffness);
-  double before = 0;
-  for (const double depth : held_press(linear(stiffness))) {
-    EXPECT_GE(depth, before - 1e-12);
-    // In the first steps no force is known yet and the probe may move on by a, times the hand's way in a
-    // step.
-    EXPECT_LE(depth, std::max(balance, 0.1 * 0.5e-3) + 1e-12);
-    before = std::max(before, std::min(depth, balance));
+  const auto depths = held_press(linear(stiffness));
+  // In the first step no force is known yet, and the probe moves a tenth (dt/tau) of the hand's way.
+  EXPECT_LE(depths[0], 0.1 * 0.5e-3);
+  for (std::size_t i = 2; i < depths.size(); ++i) {
+    EXPECT_GE(depths[i], depths[i - 1] - 1e-12) << "step " << i;
+    EXPECT_LE(depths[i], balance + 1e-12) << "step " << i;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Stiffnesses, HeldAgainst, testing::Values(0.0, 1.0, 300.0, 1e3, 1e4, 1e6));
+INSTANTIATE_TEST_SUITE_P(Stiffnesses, HeldAgainst, testing::Values(0.0, 1.0, 3e3, 1e4, 1e5, 1e6));
 
 // An explicit step is unstable from K = (2 tau / dt - 1) k_c on; this one may not be for any K.
 TEST(PseudoHaptic, StaysBoundedForAnyStiffness) {
@@ -72,10 +71,11 @@ TEST(PseudoHaptic, SettlesOnTissueThatStiffensSuddenly) {
   EXPECT_NEAR(depths.back(), (spring * kHand + 1e5 * 4e-3) / (spring + 100 + 1e5), 1e-8);
 }
 
-// The paper's contact laws jump when a pair comes or goes: no rest point need exist there. The probe then
+// The paper's contact laws jump when a pair comes or goes. Here the spring pulls with 40 N at 4 mm, where the
+// tissue's force goes from 36 to 44 N: there is no rest point. The probe then
 // stays within what one free step can move it.
 TEST(PseudoHaptic, AJumpOfTheForceIsNoKick) {
-  const Tissue tissue = [](double x) { return 500 * std::max(0.0, x) + (x > 4e-3 ? 4.0 : 0.0); };
+  const Tissue tissue = [](double x) { return 9e3 * std::max(0.0, x) + (x > 4e-3 ? 8.0 : 0.0); };
   const auto depths = held_press(tissue);
   for (std::size_t i = depths.size() / 2; i < depths.size(); ++i) {
     EXPECT_NEAR(depths[i], 4e-3, 0.5e-3);
@@ -99,7 +99,7 @@ TEST(PseudoHaptic, AHandThatJumpsIsFollowedNoFasterThanStated) {
 }
 
 TEST(PseudoHaptic, StifferTissueLagsMore) {
-  EXPECT_GT(held_press(linear(1000)).back(), held_press(linear(1100)).back());
+  EXPECT_GT(held_press(linear(8e3)).back(), held_press(linear(9e3)).back());
 }
 
 }  // namespace

@@ -64,8 +64,9 @@ TEST_P(RefusedScene, SaysWhereWhatAndWhatIsAccepted) {
 INSTANTIATE_TEST_SUITE_P(
     Bad, RefusedScene,
     ::testing::Values(
-        Refusal{"UnknownKey", "touchable = \"z_min\"", "touchabel = \"z_min\"",
-                "scene.toml:8: bodies.upper.touchabel: unknown key, perhaps touchable is meant; accepted here:"},
+        Refusal{
+            "UnknownKey", "touchable = \"z_min\"", "touchabel = \"z_min\"",
+            "scene.toml:8: bodies.upper.touchabel: unknown key, perhaps touchable is meant; accepted here:"},
         Refusal{"NoUnit", "\"1 MPa\"", "\"1\"",
                 "scene.toml:5: bodies.upper.young_modulus: \"1\" has no unit"},
         Refusal{"NumberForQuantity", "\"1 MPa\"", "1.0", "accepted: a quantity with its unit"},

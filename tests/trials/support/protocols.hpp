@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "sim/io/sha256.hpp"
 #include "tests/trials/support/folder.hpp"
 #include "trials/protocol.hpp"
 
@@ -25,10 +26,14 @@ inline std::string with(std::string text, std::string_view from, std::string_vie
   return text;
 }
 
-/// The shipped study with `trials` questions a cell. Neither scene nor meshes are read.
+/// The shipped study with `trials` questions a cell. Neither scene nor meshes are read; a line stands for the
+/// scene.
 inline Protocol small_protocol(int trials = 2) {
-  return parse_protocol(with(shipped_text(), "per_cell = 4", "per_cell = " + std::to_string(trials)),
-                        "small.toml");
+  Protocol protocol = parse_protocol(
+      with(shipped_text(), "per_cell = 4", "per_cell = " + std::to_string(trials)), "small.toml");
+  protocol.scene_text = "name = \"no scene\"\n";
+  protocol.files = {{"scene", "scene.toml", sim::sha256_hex(protocol.scene_text)}};
+  return protocol;
 }
 
 }  // namespace palpate::trials::test

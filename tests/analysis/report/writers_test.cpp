@@ -1,0 +1,169 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <sstream>
+
+#include "analysis/report/write_report.hpp"
+#include "analysis/svg.hpp"
+#include "tests/analysis/report/fixture.hpp"
+
+using namespace palpate::analysis;
+using nlohmann::ordered_json;
+using testing::HasSubstr;
+using testing::Not;
+
+namespace {
+
+StudyTable paper_with_everything() {
+  StudyTable table = test::study_table(test::like_the_paper());
+  test::add_curves(table);
+  table.trials[5].voided = true;
+  table.trials[5].void_reason = "the <door> slammed & \"rang\"";
+  table.notes.push_back("One examinee withdrew; the answers were erased.");
+  return table;
+}
+
+const ReportOptions kOptions{.software_version = "0.1.0", .written_utc = "2026-11-22T12:00:00Z"};
+
+std::vector<StudyReport> reports_of_all_kinds() {
+  std::vector<StudyReport> reports{analyse(paper_with_everything(), kOptions)};
+  auto few = test::like_the_paper();
+  few.resize(3);
+  reports.push_back(analyse(test::study_table(few)));
+  reports.push_back(analyse(test::study_table(few), {.interim = true}));
+  reports.push_back(analyse(test::study_table(std::vector<std::vector<int>>(15, {0, 4}), 4, "simulated")));
+  reports.push_back(analyse(test::study_table(std::vector<std::vector<int>>(200, {3, 2}))));
+  StudyTable none = test::study_table({{0, 0}});
+  none.trials.clear();
+  reports.push_back(analyse(none, {.interim = true}));
+  StudyTable strange = paper_with_everything();
+  strange.design.cells[0].name = "<script>alert('x')</script>";
+  strange.design.question = "a & b < c \x01\xff?";
+  strange.sessions[2].examinee = "\"><img src=x>";
+  strange.design.side = "two-sided";
+  reports.push_back(analyse(strange));
+  return reports;
+}
+
+}  // namespace
+
+TEST(TextReport, IsAsItWasReviewed) {
+  // The file was read line by line against the numbers; make it anew with PALPATE_REWRITE_GOLDEN=1, and read
+  // it again.
+  const std::filesystem::path golden =
+      std::filesystem::path(PALPATE_SOURCE_DIR) / "tests/analysis/report/paper.txt";
+  const std::string text = text_report(analyse(paper_with_everything(), kOptions));
+  if (std::getenv("PALPATE_REWRITE_GOLDEN") != nullptr) std::ofstream(golden) << text;
+  std::ostringstream expected;
+  expected << std::ifstream(golden).rdbuf();
+  EXPECT_EQ(text, expected.str());
+}
+
+TEST(TextReport, LetsNoNameSteerTheTerminal) {
+  for (const StudyReport& report : reports_of_all_kinds()) {
+    for (const char c : text_report(report)) {
+      EXPECT_TRUE(c == '\n' || (static_cast<unsigned char>(c) >= 0x20 && c != 0x7f));
+    }
+  }
+}
+
+TEST(JsonReport, HasTheFieldsThatScriptsRelyOn) {
+  const ordered_json json =
+      ordered_json::parse(json_report(analyse(paper_with_everything(), kOptions)).dump());
+  const auto expect_type = [](const ordered_json& object, const char* key, ordered_json::value_t type) {
+    ASSERT_TRUE(object.contains(key)) << key;
+    const ordered_json& value = object[key];
+    const bool number = type == ordered_json::value_t::number_float && value.is_number();
+    EXPECT_TRUE(number || value.type() == type) << key << " is " << value.type_name();
+  };
+  using Type = ordered_json::value_t;
+  for (const char* key : {"run_mode", "channel", "software_version", "written_utc"})
+    expect_type(json, key, Type::string);
+  for (const char* key : {"pseudo_haptic", "interim", "withheld"}) expect_type(json, key, Type::boolean);
+  for (const char* key : {"planned_examinees", "complete_examinees"})
+    expect_type(json, key, Type::number_float);
+  for (const char* key : {"banners", "summary", "cells", "comparisons", "stimuli", "force_curves", "voided",
+                          "method", "limits", "sessions"}) {
+    expect_type(json, key, Type::array);
+  }
+  for (const char* key : {"protocol", "design", "claims"}) expect_type(json, key, Type::object);
+  const ordered_json& cell = json["cells"][1];
+  EXPECT_EQ(cell["cell"], "sibille");
+  EXPECT_EQ(cell["correct"], 30);  // 31, but for the voided trial
+  EXPECT_EQ(cell["significant"], false);
+  for (const char* key : {"primary", "critical", "examinee_level", "dprime", "interval_order"}) {
+    expect_type(cell, key, Type::object);
+  }
+  EXPECT_EQ(cell["critical"]["at_least"], 37);
+  for (const char* key : {"proportion", "p", "chance"}) expect_type(cell["primary"], key, Type::number_float);
+  for (const char* key : {"lower", "upper", "level"})
+    expect_type(cell["primary"]["interval"], key, Type::number_float);
+  expect_type(cell["primary"]["p_values"], "two_sided", Type::number_float);
+  EXPECT_EQ(cell["by_examinee"].size(), 15u);
+  EXPECT_EQ(json["force_curves"].size(), 4u);
+}
+
+TEST(JsonReport, HoldsNoTestWhereTestsAreWithheld) {
+  auto few = test::like_the_paper();
+  few.resize(3);
+  const ordered_json json = json_report(analyse(test::study_table(few)));
+  EXPECT_TRUE(json["withheld"].get<bool>());
+  for (const char* key :
+       {"primary", "critical", "examinee_level", "dprime", "interval_order", "significant"}) {
+    EXPECT_TRUE(json["cells"][0][key].is_null()) << key;
+  }
+  EXPECT_TRUE(json["comparisons"][0]["sign_flip"].is_null());
+}
+
+TEST(HtmlReport, StandsAloneAndEscapesWhatComesFromFiles) {
+  for (const StudyReport& report : reports_of_all_kinds()) {
+    const std::string html = html_report(report);
+    EXPECT_THAT(html, Not(HasSubstr("<script")));
+    EXPECT_THAT(html, Not(HasSubstr("http:")));
+    EXPECT_THAT(html, Not(HasSubstr("https:")));
+    EXPECT_THAT(html, Not(HasSubstr("<img")));
+    EXPECT_THAT(html, Not(HasSubstr("<link")));
+    EXPECT_THAT(html, Not(HasSubstr("url(")));
+    EXPECT_THAT(html, Not(HasSubstr("@import")));
+    // no number that is none slipped into a picture or a table
+    EXPECT_FALSE(std::regex_search(html, std::regex("[=\"> ML]-?(nan|inf)[ \"<LZ%]")));
+  }
+}
+
+TEST(HtmlReport, IsWellFormed) {
+  if (std::system("command -v xmllint > /dev/null") != 0) GTEST_SKIP() << "xmllint is not installed";
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "palpate_html_report_test.html";
+  for (const StudyReport& report : reports_of_all_kinds()) {
+    std::ofstream(file) << html_report(report);
+    EXPECT_EQ(std::system(("xmllint --noout '" + file.string() + "'").c_str()), 0) << report.run_mode;
+  }
+  std::filesystem::remove(file);
+}
+
+TEST(HtmlReport, CarriesItsBannersAndItsPictures) {
+  const std::string html = html_report(analyse(test::study_table(test::like_the_paper(), 4, "simulated")));
+  EXPECT_THAT(html, HasSubstr("kuroda2003 | SIMULATED"));  // at the head of every printed page
+  EXPECT_THAT(html, HasSubstr("SIMULATED: no person took part"));
+  EXPECT_THAT(html, HasSubstr("37 or more"));
+  EXPECT_THAT(html, HasSubstr("aria-labelledby=\"answers-title answers-text\""));
+}
+
+TEST(Svg, TicksAreRoundAndCoverTheAxis) {
+  const Axis axis = nice_axis(0, 2.73, 5, true, "force (N)");
+  EXPECT_EQ(axis.ticks, (std::vector<double>{0, 1, 2, 3}));
+  EXPECT_EQ(axis.decimals, 0);
+  const Axis small = nice_axis(0, 0.004, 4, true, "");
+  EXPECT_EQ(small.decimals, 3);
+  EXPECT_EQ(small.ticks.size(), 5u);
+  EXPECT_EQ(nice_axis(3, 3, 5, true, "").ticks.empty(), false);  // an empty range is widened
+}
+
+TEST(Svg, EscapesEverythingThatCouldBeMarkup) {
+  EXPECT_EQ(escape("<a href=\"x\">'&'</a>\x01\xC3\xA9\xFF"),
+            "&lt;a href=&quot;x&quot;&gt;&#39;&amp;&#39;&lt;/a&gt; \xC3\xA9\xEF\xBF\xBD");
+}
