@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <random>
 
 #include "sim/mesh/parse_mesh.hpp"
@@ -67,6 +68,18 @@ TEST_P(DamagedMesh, WithPartsExchangedDoubledAndLeftOut) {
     if (i % 3 != 0) bytes.insert(std::min(to, bytes.size()), part);
     read_damaged(bytes, "part of " + std::to_string(length) + " bytes at " + std::to_string(from));
   }
+}
+
+// Inputs by which libFuzzer reached new branches of the readers, and any that once failed:
+// tests/fuzz/README.md.
+TEST(FuzzedMesh, KeptInputsEndWell) {
+  int read = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(PALPATE_SOURCE_DIR) /
+                                                               "tests/fuzz/read_mesh")) {
+    read_damaged(read_bytes(entry.path()), entry.path().string());
+    ++read;
+  }
+  EXPECT_GT(read, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Fixtures, DamagedMesh,
