@@ -48,33 +48,6 @@ TEST_F(PlotTest, SvgHoldsEveryWordAndTwoCurves) {
   EXPECT_THAT(svg, HasSubstr("stroke-dasharray"));
 }
 
-TEST_F(PlotTest, CurvesRunWhereTheNumbersAre) {
-  // y = x: equal steps along both axes, so the path's points lie on one line. gnuplot writes "M x,y L x,y".
-  const auto file = folder_ / "line.svg";
-  draw_plot({.title = "t", .x_label = "x", .y_label = "y", .series = {{"line", {0, 1, 2, 4}, {0, 1, 2, 4}}}},
-            file);
-  const std::string svg = read(file);
-  const auto coloured = svg.find("rgb(  0, 114, 178)");
-  ASSERT_NE(coloured, std::string::npos);
-  // The last path of this colour before the marks that has four points.
-  bool found = false;
-  for (auto at = svg.find("<path"); at != std::string::npos; at = svg.find("<path", at + 1)) {
-    const auto d = svg.find("d='M", at) + 4;
-    double x[4], y[4];
-    if (std::sscanf(svg.c_str() + d, "%lf,%lf L%lf,%lf L%lf,%lf L%lf,%lf", &x[0], &y[0], &x[1], &y[1], &x[2],
-                    &y[2], &x[3], &y[3]) != 8)
-      continue;
-    if (x[3] <= x[0] || y[3] >= y[0]) continue;  // a frame or a mark, not a rising line
-    found = true;
-    for (const int k : {1, 2}) {
-      const double share = k / 4.0;
-      EXPECT_NEAR((x[k] - x[0]) / (x[3] - x[0]), share, 0.005);  // gnuplot rounds to a tenth of a pixel
-      EXPECT_NEAR((y[k] - y[0]) / (y[3] - y[0]), share, 0.005);
-    }
-  }
-  EXPECT_TRUE(found);
-}
-
 TEST_F(PlotTest, PngIsPng) {
   const auto file = folder_ / "plot.png";
   draw_plot(two_lines(), file);
