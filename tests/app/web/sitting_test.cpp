@@ -88,7 +88,7 @@ class SittingTest : public testing::Test {
   void explore() {
     for (int press = 0; press < 2; ++press) {
       hold(-2, 150ms);
-      hold(11, 400ms);
+      hold(15, 700ms);
     }
     hold(-2, 150ms);
   }
