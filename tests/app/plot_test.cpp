@@ -3,10 +3,13 @@
 #include <gmock/gmock.h>
 #include <unistd.h>
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -46,6 +49,36 @@ TEST_F(PlotTest, SvgHoldsEveryWordAndTwoCurves) {
   for (const char* word : {"finger", "tip", "{no_markup}", "depth [mm]", "force [N]", "soft", "hard"})
     EXPECT_THAT(svg, HasSubstr(word));
   EXPECT_THAT(svg, HasSubstr("stroke-dasharray"));
+}
+
+using Points = std::array<std::array<double, 2>, 4>;  // on the page, y downwards
+
+/// The one rising curve of four points: an SVG path writes it as "Mx,y Lx,y Lx,y Lx,y". Frames and ticks have
+/// fewer points, or come back.
+std::optional<Points> rising_curve(const std::string& svg) {
+  for (auto at = svg.find('M'); at != std::string::npos; at = svg.find('M', at + 1)) {
+    Points p{};
+    const int numbers = std::sscanf(svg.c_str() + at, "M%lf,%lf L%lf,%lf L%lf,%lf L%lf,%lf", &p[0][0],
+                                    &p[0][1], &p[1][0], &p[1][1], &p[2][0], &p[2][1], &p[3][0], &p[3][1]);
+    if (numbers == 8 && p[3][0] > p[0][0] && p[3][1] < p[0][1]) return p;
+  }
+  return std::nullopt;
+}
+
+TEST_F(PlotTest, CurvesRunWhereTheNumbersAre) {
+  const auto file = folder_ / "curve.svg";
+  draw_plot(
+      {.title = "t", .x_label = "x", .y_label = "y", .series = {{"square", {0, 1, 2, 4}, {0, 1, 4, 16}}}},
+      file);
+  const std::optional<Points> curve = rising_curve(read(file));
+  ASSERT_TRUE(curve.has_value());
+  const Points& p = *curve;
+  for (const std::size_t k : {1U, 2U}) {
+    const double x = static_cast<double>(k) / 4.0;  // share of the way to the last point; y is its square
+    // gnuplot writes hundredths of a pixel, and the picture is some hundreds high.
+    EXPECT_NEAR((p[k][0] - p[0][0]) / (p[3][0] - p[0][0]), x, 2e-4);
+    EXPECT_NEAR((p[k][1] - p[0][1]) / (p[3][1] - p[0][1]), x * x, 2e-4);
+  }
 }
 
 TEST_F(PlotTest, PngIsPng) {
