@@ -1,6 +1,6 @@
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -68,26 +68,18 @@ double room_of_rod(const Model& model, const Vec3& end, const Vec3& along, doubl
   return least;
 }
 
-/// Directions in which a hand may be: straight back first, then the axes of the pressed body (a tube is
-/// entered along its axis), then all around. Earlier ones win among equals.
-std::vector<Vec3> possible_shafts(const Model& model, const Probe& probe) {
+/// Directions in which a hand may be: straight back first, then all around. Earlier ones win among equals,
+/// and the order does not come from the mesh: coarse and fine meshes of one body are shown from one side.
+std::vector<Vec3> possible_shafts(const Probe& probe) {
+  const Vec3 first = Vec3(-0.4, -0.8, 0.45).normalized();  // an end of a tube that a picture shows well
+  const auto [right, up] = across(first);
   std::vector<Vec3> shafts = {-probe.direction};
-  const std::vector<Vec3>& nodes = model.bodies[static_cast<std::size_t>(probe.body)].mesh->nodes;
-  Vec3 mean = Vec3::Zero();
-  for (const Vec3& node : nodes) mean += node / static_cast<double>(nodes.size());
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for (const Vec3& node : nodes) spread += (node - mean) * (node - mean).transpose();
-  const Eigen::Matrix3d axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors();
-  for (int axis = 2; axis >= 0; --axis) {
-    const Vec3 v = axes.col(axis);
-    const Vec3 outwards = v.sum() > 0 ? v : Vec3(-v);
-    shafts.insert(shafts.end(), {outwards, -outwards});
-  }
   constexpr int kAround = 800;
   const double golden_angle = std::numbers::pi * (3.0 - std::sqrt(5.0));
   for (int i = 0; i < kAround; ++i) {
-    const double z = 1.0 - (2.0 * i + 1.0) / kAround, r = std::sqrt(1.0 - z * z);
-    shafts.emplace_back(r * std::cos(golden_angle * i), r * std::sin(golden_angle * i), z);
+    const double along = 1.0 - (2.0 * i + 1.0) / kAround, r = std::sqrt(1.0 - along * along);
+    shafts.push_back(r * std::cos(golden_angle * i) * right + r * std::sin(golden_angle * i) * up +
+                     along * first);
   }
   return shafts;
 }
@@ -106,7 +98,7 @@ double choose_shaft(const Model& model, const Probe& probe, const Vec3& end, dou
                     ProbeShape& shape) {
   double best = 0.0;
   Vec3 mean = Vec3::Zero();
-  for (const Vec3& shaft : possible_shafts(model, probe)) {
+  for (const Vec3& shaft : possible_shafts(probe)) {
     if (shaft.dot(probe.direction) > 0.1) continue;  // the hand does not reach through what it presses
     const double free = room_of_rod(model, end, shaft, shape.radius, enough);
     if (free > best) shape.shaft = shaft;

@@ -18,8 +18,12 @@ using test::write_two_boxes;
 
 constexpr double kAspect = 4.0 / 3.0;
 
+Model palpation(const char* scene) {
+  return compile_scene(std::filesystem::path(PALPATE_SOURCE_DIR) / "data/scenes" / scene);
+}
+
 Model rectal_palpation() {
-  return compile_scene(std::filesystem::path(PALPATE_SOURCE_DIR) / "data/scenes/rectal-palpation.toml");
+  return palpation("rectal-palpation.toml");
 }
 
 Picture pressed(const Model& model, double depth) {
@@ -104,6 +108,14 @@ TEST(SetStage, ProbeIsHeldFromWhereNothingIsInItsWay) {
       const Vec3 nearest = std::clamp(from_end.dot(shape.shaft), 0.0, shape.length) * shape.shaft;
       EXPECT_GE((from_end - nearest).norm(), 0.999 * shape.radius);
     }
+}
+
+TEST(SetStage, LooksAtACoarseAndAFineMeshFromOnePlace) {
+  const Stage coarse = set_stage(rectal_palpation(), kAspect);
+  const Stage fine = set_stage(palpation("rectal-palpation-fine.toml"), kAspect);
+  // The same organs: what differs is where their nodes lie, by some tenths of a millimetre at the outline.
+  EXPECT_LT((coarse.camera.eye - fine.camera.eye).norm(), 0.05 * coarse.camera.eye.norm());
+  EXPECT_GT(coarse.probes.front().shaft.dot(fine.probes.front().shaft), 0.99);
 }
 
 TEST(SetStage, ScaleBarIsARoundLength) {
