@@ -24,3 +24,10 @@ find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
 add_library(palpate_cholmod INTERFACE)
 target_include_directories(palpate_cholmod SYSTEM INTERFACE ${CHOLMOD_INCLUDE_DIR})
 target_link_libraries(palpate_cholmod INTERFACE ${CHOLMOD_LIBRARY})
+
+# libcsv ships neither.
+find_path(CSV_INCLUDE_DIR csv.h REQUIRED)
+find_library(CSV_LIBRARY csv REQUIRED)
+add_library(palpate_csv INTERFACE)
+target_include_directories(palpate_csv SYSTEM INTERFACE ${CSV_INCLUDE_DIR})
+target_link_libraries(palpate_csv INTERFACE ${CSV_LIBRARY})

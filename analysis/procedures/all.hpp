@@ -1,0 +1,17 @@
+#pragma once
+
+#include "analysis/procedures/procedure.hpp"
+
+namespace palpate::analysis {
+
+// One function for each file of this folder that describes a procedure; all.cpp lists them by name.
+
+Procedure binomial_procedure();
+Procedure critical_procedure();
+Procedure dprime_procedure();
+Procedure mcnemar_procedure();
+Procedure permutation_procedure();
+Procedure sign_procedure();
+Procedure wilcoxon_procedure();
+
+}  // namespace palpate::analysis

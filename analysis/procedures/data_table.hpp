@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace palpate::analysis {
+
+/// Columns of text with a name each, as a CSV file or a batch line gave them. Everything that is said about a
+/// value tells where it stood.
+struct DataTable {
+  std::string source{};                             // "answers.csv"; "data" for a batch line
+  std::vector<std::string> names{};                 // one for each column; empty: there was no header
+  std::vector<std::vector<std::string>> columns{};  // all of one length
+  std::vector<long> lines{};                        // where each row stood: 1 is the source's first line
+};
+
+std::size_t rows(const DataTable& table);
+
+bool has_column(const DataTable& table, std::string_view name);
+
+/// The column of that name; without a header, the only column. Throws std::invalid_argument that lists the
+/// columns there are.
+const std::vector<std::string>& text_column(const DataTable& table, std::string_view name);
+
+/// The same as finite numbers, whatever the locale. Throws std::invalid_argument, "answers.csv:7: level is
+/// 'x'; ...".
+std::vector<double> number_column(const DataTable& table, std::string_view name);
+
+/// The same as whole numbers.
+std::vector<long> count_column(const DataTable& table, std::string_view name);
+
+/// Every column as numbers (outer: columns, inner: rows).
+std::vector<std::vector<double>> number_columns(const DataTable& table);
+
+}  // namespace palpate::analysis

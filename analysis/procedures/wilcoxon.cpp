@@ -1,0 +1,66 @@
+#include <fmt/core.h>
+
+#include "analysis/procedures/all.hpp"
+#include "analysis/procedures/phrases.hpp"
+#include "analysis/statistics/signed_rank.hpp"
+#include "analysis/statistics/to_json.hpp"
+#include "analysis/words.hpp"
+
+namespace palpate::analysis {
+namespace {
+
+std::string in_words(const SignedRankTest& test, Side side) {
+  return fmt::format("{}, {} of them zero{}; V = {} of {}\n",
+                     counted(static_cast<long>(test.n), "difference", "differences"), test.zeros,
+                     test.ties ? ", with ties" : "", number(test.v), number(test.v_max)) +
+         p_line(test.p, side) +
+         fmt::format("Pseudo-median {}, {} interval {} ({})\nEffect size (rank-biserial correlation): {}\n",
+                     number(test.pseudo_median), short_percent(test.interval.level), range(test.interval),
+                     test.interval.method, number(test.rank_biserial)) +
+         method_line(test.method);
+}
+
+Outcome run(const Arguments& asked) {
+  const SignedRankTest test = signed_rank_test(number_column(asked.table, "difference"),
+                                               zeros_from_name(asked.text("zeros")), asked.level());
+  Outcome outcome{.json = to_json(test), .text = in_words(test, asked.side())};
+  put_side(outcome.json, asked.side());
+  return outcome;
+}
+
+}  // namespace
+
+Procedure wilcoxon_procedure() {
+  return {.name = "wilcoxon",
+          .question = "Are differences centred on zero?",
+          .title = "Wilcoxon's signed-rank test",
+          .teaches =
+              "Ranks the differences by size and adds up the ranks of the positive ones. It asks for "
+              "differences that are symmetric about zero when there is no effect. Exact with ties and "
+              "zeros up to 500 differences.",
+          .inputs = {side_input("two-sided"),
+                     {.name = "zeros",
+                      .kind = Input::Kind::Choice,
+                      .meaning = "Zeros: drop (Wilcoxon 1945) or pratt (ranked, then left out)",
+                      .usual = "pratt",
+                      .choices = {"drop", "pratt"}},
+                     level_input()},
+          .data = difference_data("One thing less the other, for each examinee"),
+          .outputs = {{"n", "Differences given"},
+                      {"zeros", "of them 0"},
+                      {"ties", "Whether magnitudes are equal"},
+                      {"zeros_rule", "What was done about zeros"},
+                      {"v", "V: the sum of the ranks of positive differences"},
+                      {"v_max", "The sum of all ranks"},
+                      {"rank_biserial", "Effect size, -1 to 1"},
+                      {"side", "Alternative that was asked for"},
+                      {"p", "p value of that side"},
+                      {"p_values", "of all three sides"},
+                      {"exact", "false: normal approximation"},
+                      {"pseudo_median", "Hodges-Lehmann estimate of the centre"},
+                      {"interval", "for the centre"}},
+          .example = {{"data", {{"difference", {3, 1, 2, -1, 4, 2, 0, 3, 1, 2}}}}, {"zeros", "pratt"}},
+          .run = run};
+}
+
+}  // namespace palpate::analysis

@@ -1,0 +1,116 @@
+#include "app/stats_batch.hpp"
+
+#include <fmt/core.h>
+
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "analysis/procedures/procedure.hpp"
+#include "analysis/words.hpp"
+#include "app/read_csv.hpp"
+
+namespace palpate::app {
+namespace {
+
+using nlohmann::ordered_json;
+
+std::string cell_text(const ordered_json& cell) {
+  return cell.is_string() ? cell.get<std::string>() : cell.dump();
+}
+
+// {"level": [1, 2], "correct": [3, 4]} as a table.
+analysis::DataTable table_of(const ordered_json& data) {
+  if (!data.is_object() || data.empty()) {
+    throw std::invalid_argument("data is " + data.dump().substr(0, 60) +
+                                "; accepted: an object with an array for each column");
+  }
+  analysis::DataTable table{.source = "data"};
+  for (const auto& item : data.items()) {
+    if (!item.value().is_array()) throw std::invalid_argument("data." + item.key() + " is no array");
+    std::vector<std::string> column;
+    for (const ordered_json& cell : item.value()) column.push_back(cell_text(cell));
+    if (!table.columns.empty() && column.size() != table.columns[0].size()) {
+      throw std::invalid_argument(fmt::format("data.{} has {} values, data.{} has {}", item.key(),
+                                              column.size(), table.names[0], table.columns[0].size()));
+    }
+    table.names.push_back(item.key());
+    table.columns.push_back(std::move(column));
+  }
+  for (std::size_t row = 0; row < table.columns[0].size(); ++row)
+    table.lines.push_back(static_cast<long>(row) + 1);
+  return table;
+}
+
+ordered_json answer(const std::string& text) {
+  ordered_json asked = ordered_json::parse(text);
+  if (!asked.is_object()) throw std::invalid_argument("the line is no JSON object");
+  if (!asked.contains("procedure") || !asked["procedure"].is_string()) {
+    throw std::invalid_argument(
+        "\"procedure\" is missing; it names what to do, as in \"procedure\": \"binomial\"");
+  }
+  const analysis::Procedure& procedure = analysis::procedure_named(asked["procedure"].get<std::string>());
+  analysis::DataTable table;
+  if (asked.contains("data") && asked.contains("file")) {
+    throw std::invalid_argument("both \"data\" and \"file\"; one of them is accepted");
+  }
+  if (asked.contains("data")) table = table_of(asked["data"]);
+  if (asked.contains("file")) table = read_csv(asked["file"].get<std::string>());
+  ordered_json result;
+  if (asked.contains("id")) result["id"] = asked["id"];
+  for (const char* key : {"procedure", "data", "file", "id"}) asked.erase(key);
+  result.update(procedure.run(analysis::read_arguments(procedure, asked, std::move(table))).json);
+  return result;
+}
+
+// What is wrong with a line, in one line.
+ordered_json refusal(long line, const std::string& text, const std::string& what) {
+  ordered_json result;
+  result["line"] = line;
+  const ordered_json asked = ordered_json::parse(text, nullptr, false);
+  if (asked.is_object() && asked.contains("id")) result["id"] = asked["id"];
+  result["error"] = what;
+  return result;
+}
+
+long answer_all(std::istream& in) {
+  std::string text;
+  long refused = 0;
+  for (long line = 1; std::getline(in, text); ++line) {
+    if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
+    ordered_json result;
+    try {
+      result = answer(text);
+    } catch (const nlohmann::json::exception& error) {
+      result = refusal(line, text, fmt::format("no JSON as expected: {}", error.what()));
+    } catch (const std::invalid_argument& error) {
+      result = refusal(line, text, error.what());
+    }
+    if (result.contains("error")) ++refused;
+    fmt::print("{}\n", result.dump());
+    std::fflush(stdout);
+  }
+  return refused;
+}
+
+}  // namespace
+
+void run_batch(const std::string& file) {
+  long refused = 0;
+  if (file == "-") {
+    refused = answer_all(std::cin);
+  } else {
+    std::ifstream in(file);
+    if (!in) throw std::invalid_argument(file + ": cannot be opened: no such file, or no right to read it");
+    refused = answer_all(in);
+  }
+  if (refused > 0) {
+    throw std::invalid_argument(analysis::counted(refused, "line", "lines") +
+                                " could not be answered; see \"error\" in the output");
+  }
+}
+
+}  // namespace palpate::app
