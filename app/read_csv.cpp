@@ -28,7 +28,8 @@ struct Row {
 struct Rows {
   std::vector<Row> rows;
   Row current;
-  long line = 1;  // of the character being read
+  bool within_row = false;  // a quoted line break carries a row on to the next line
+  long line = 1;            // of the character being read
 };
 
 [[noreturn]] void refuse(const std::string& file, long line, const std::string& what) {
@@ -58,6 +59,7 @@ void take_row(int, void* data) {
   Rows& rows = *static_cast<Rows*>(data);
   rows.rows.push_back(std::move(rows.current));
   rows.current = {};
+  rows.within_row = false;
 }
 
 // A line at a time, so that every row knows where it began.
@@ -68,9 +70,11 @@ std::vector<Row> split(const std::string& file, const std::string& text) {
   Rows rows;
   for (std::size_t first = 0; first < text.size(); ++rows.line) {
     const std::size_t size = std::min(text.find('\n', first), text.size() - 1) + 1 - first;
-    if (rows.current.line == 0) rows.current.line = rows.line;
-    const bool within_row = !rows.current.fields.empty();
-    if (!within_row) rows.current.line = rows.line;
+    const bool blank = text.find_first_not_of(" \t\r\n", first) >= first + size;
+    if (!rows.within_row && !blank) {
+      rows.current.line = rows.line;
+      rows.within_row = true;
+    }
     if (csv_parse(&parser, text.data() + first, size, take_field, take_row, &rows) != size) {
       refuse(file, rows.line,
              "a quote in the middle of a field; quotes go round a whole field and are doubled within it");

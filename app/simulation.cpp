@@ -8,6 +8,7 @@
 #include "app/interrupt.hpp"
 #include "app/machine.hpp"
 #include "app/progress.hpp"
+#include "app/user_cache.hpp"
 
 namespace palpate::app {
 
@@ -25,7 +26,7 @@ SimulationResult run_simulation(const std::filesystem::path& protocol_file,
   plan.software_version = PALPATE_VERSION;
   plan.machine = describe_machine();
   trials::check_simulation(study_file, protocol, plan);
-  sim::ComplianceCache cache(sim::ComplianceCache::default_folder());
+  sim::ComplianceCache cache = user_cache();
   const trials::Stimuli stimuli = trials::compile_stimuli(protocol, cache);
   trials::check_clamping(protocol, stimuli, plan.observer);
 

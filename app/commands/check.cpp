@@ -14,7 +14,7 @@
 #include "app/mesh_report.hpp"
 #include "app/output.hpp"
 #include "app/scene_options.hpp"
-#include "sim/compliance/cache.hpp"
+#include "app/user_cache.hpp"
 #include "sim/cycle/press.hpp"
 #include "sim/io/toml_reader.hpp"
 #include "sim/mesh/quality.hpp"
@@ -65,7 +65,7 @@ struct SceneCheck {
 
 SceneCheck check_scene(const SceneOptions& input) {
   const sim::Scene scene = load_scene(input);
-  sim::ComplianceCache cache(sim::ComplianceCache::default_folder());
+  sim::ComplianceCache cache = user_cache();
   sim::Model model = sim::compile(scene, cache);
   SceneCheck check{.name = scene.name, .effects = sim::effects_of(scene)};
   for (const sim::Body& body : model.bodies)

@@ -13,7 +13,7 @@
 #include "app/output.hpp"
 #include "app/plot.hpp"
 #include "app/scene_options.hpp"
-#include "sim/compliance/cache.hpp"
+#include "app/user_cache.hpp"
 #include "sim/cost/cycle_cost.hpp"
 #include "sim/scene/quantity.hpp"
 
@@ -197,7 +197,7 @@ Plot over_depth(const SceneCost& scene) {
 
 void run(const Options& options) {
   if (!options.plot.empty()) check_plot_file(options.plot);
-  sim::ComplianceCache cache(sim::ComplianceCache::default_folder());
+  sim::ComplianceCache cache = user_cache();
   std::vector<SceneCost> costs;
   for (const std::string& file : options.scenes) costs.push_back(measure(options, file, cache));
   if (options.format == "json")

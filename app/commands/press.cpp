@@ -12,7 +12,7 @@
 #include "app/output.hpp"
 #include "app/plot.hpp"
 #include "app/scene_options.hpp"
-#include "sim/compliance/cache.hpp"
+#include "app/user_cache.hpp"
 #include "sim/elasticity/static_solve.hpp"
 #include "sim/elasticity/stress.hpp"
 #include "sim/mesh/write_vtu.hpp"
@@ -150,7 +150,7 @@ void plot(const sim::Model& model, const sim::Press& press, const std::string& f
 
 void run(const Options& options) {
   if (!options.plot.empty()) check_plot_file(options.plot);
-  sim::ComplianceCache cache(sim::ComplianceCache::default_folder());
+  sim::ComplianceCache cache = user_cache();
   const sim::Model model = sim::compile(load_scene(options.scene), cache);
   const double depth = options.depth.empty() ? model.probes.front().depth
                                              : sim::parse_quantity(options.depth, sim::Dimension::Length);

@@ -7,7 +7,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/scene_options.hpp"
-#include "sim/compliance/cache.hpp"
+#include "app/user_cache.hpp"
 #include "sim/cycle/press.hpp"
 #include "sim/io/atomic_file.hpp"
 #include "sim/scene/quantity.hpp"
@@ -40,7 +40,7 @@ void run(const Options& options) {
         fmt::format("--out {}: accepted: a file name that ends in .png", options.out.string()));
   const double depth = sim::parse_quantity(options.depth, sim::Dimension::Length);
   if (!(depth >= 0.0)) throw std::invalid_argument(fmt::format("--depth {}: accepted: >= 0", options.depth));
-  sim::ComplianceCache cache(sim::ComplianceCache::default_folder());
+  sim::ComplianceCache cache = user_cache();
   const sim::Model model = sim::compile(load_scene(options.scene), cache);
   const std::vector<sim::ProbePose> pose = sim::pose_at_depth(model, depth);
   const sim::Stage stage = sim::set_stage(model, static_cast<double>(options.width) / options.height);

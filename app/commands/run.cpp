@@ -6,8 +6,8 @@
 
 #include "app/commands/commands.hpp"
 #include "app/machine.hpp"
+#include "app/user_cache.hpp"
 #include "app/web/host.hpp"
-#include "sim/compliance/cache.hpp"
 #include "trials/protocol.hpp"
 #include "trials/session.hpp"
 #include "trials/study_file.hpp"
@@ -35,7 +35,7 @@ trials::SessionFacts facts_of(const Options& options) {
 
 Organs prepare_organs(const trials::Protocol& protocol) {
   std::fputs("Preparing the organs...\n", stderr);
-  sim::ComplianceCache cache(sim::ComplianceCache::default_folder());
+  sim::ComplianceCache cache = user_cache();
   return {.stimuli = trials::compile_stimuli(protocol, cache),
           .practice = sim::compile(sim::load_scene(protocol.scene_file), cache)};
 }

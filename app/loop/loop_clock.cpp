@@ -13,7 +13,8 @@ void LoopClock::reset() {
 }
 
 void LoopClock::add(std::chrono::nanoseconds period, long missed) {
-  const std::int64_t bin = std::clamp<std::int64_t>(period.count() / kBinNanoseconds, 0, bins_.size() - 1);
+  const std::int64_t bin = std::clamp<std::int64_t>(period.count() / kBinNanoseconds, 0,
+                                                    static_cast<std::int64_t>(bins_.size()) - 1);
   ++bins_[static_cast<std::size_t>(bin)];
   ++cycles_;
   total_ += period.count();

@@ -18,7 +18,8 @@ constexpr int kJpegQuality = 80;
 
 }  // namespace
 
-FrameStream::FrameStream(const Snapshot<IntervalState>& state, std::function<void(std::string)> deliver)
+FrameStream::FrameStream(const Snapshot<IntervalState>& state,
+                         std::function<void(const std::string&)> deliver)
     : state_(state), deliver_(std::move(deliver)), thread_([this] { draw(); }) {}
 
 FrameStream::~FrameStream() {

@@ -21,7 +21,7 @@ constexpr double kFramesPerSecond = 40;  // asked for; at least 30 must come
 class FrameStream {
  public:
   /// @param deliver  takes each JPEG; called on the stream's own thread
-  FrameStream(const Snapshot<IntervalState>& state, std::function<void(std::string jpeg)> deliver);
+  FrameStream(const Snapshot<IntervalState>& state, std::function<void(const std::string& jpeg)> deliver);
   ~FrameStream();
   FrameStream(const FrameStream&) = delete;
   FrameStream& operator=(const FrameStream&) = delete;
@@ -39,7 +39,7 @@ class FrameStream {
   bool wanted(const sim::Model& model) const;
 
   const Snapshot<IntervalState>& state_;
-  std::function<void(std::string)> deliver_;
+  std::function<void(const std::string&)> deliver_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   const sim::Model* model_ = nullptr;    // to draw

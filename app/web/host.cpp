@@ -104,7 +104,7 @@ Host::~Host() = default;
 HostEnd Host::lead(trials::Session& session, const trials::Protocol& protocol, const Organs& organs) {
   State& state = *state_;
   HapticLoop loop;
-  FrameStream frames(loop.state_snapshot(), [&state](std::string jpeg) {
+  FrameStream frames(loop.state_snapshot(), [&state](const std::string& jpeg) {
     asio::post(state.io, [&state, bytes = encode_frame(jpeg)] { state.server.send_binary(bytes); });
   });
   state.sitting.emplace(

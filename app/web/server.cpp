@@ -21,7 +21,7 @@ struct Server::State : std::enable_shared_from_this<Server::State> {
   void listen(std::uint16_t wanted);
   void accept();
   void serve(tcp::socket socket);
-  void take(std::shared_ptr<PageSocket> page);
+  void take(const std::shared_ptr<PageSocket>& opened);
 
   tcp::acceptor acceptor;
   PageEvents events;
@@ -58,13 +58,13 @@ void Server::State::serve(tcp::socket socket) {
   socket.set_option(tcp::no_delay(true), ignored);
   const auto weak = weak_from_this();
   serve_connection(std::move(socket), {.token = token, .port = port},
-                   [weak](std::shared_ptr<PageSocket> opened) {
-                     if (const auto self = weak.lock()) self->take(std::move(opened));
+                   [weak](const std::shared_ptr<PageSocket>& opened) {
+                     if (const auto self = weak.lock()) self->take(opened);
                    });
 }
 
 /// A page's WebSocket has opened: the one before it, if any, is sent away.
-void Server::State::take(std::shared_ptr<PageSocket> opened) {
+void Server::State::take(const std::shared_ptr<PageSocket>& opened) {
   if (page) {
     const auto before = std::exchange(page, nullptr);
     before->close(kTakenOver);

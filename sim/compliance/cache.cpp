@@ -21,7 +21,9 @@ std::optional<std::filesystem::path> folder_from(const char* variable) {
 
 }  // namespace
 
-ComplianceCache::ComplianceCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
+ComplianceCache::ComplianceCache(std::filesystem::path folder,
+                                 std::function<void(const std::string&)> trouble)
+    : folder_(std::move(folder)), tell_trouble_(std::move(trouble)) {}
 
 std::filesystem::path ComplianceCache::default_folder() {
   if (const auto own = folder_from("PALPATE_CACHE")) return *own;
@@ -57,6 +59,7 @@ std::shared_ptr<const Compliance> ComplianceCache::get(const TetMesh& mesh,
     if (!last_event_.trouble.empty()) last_event_.trouble += "; ";
     last_event_.trouble += fmt::format("the compliance is not kept for the next run: {}", refusal.what());
   }
+  if (tell_trouble_ && !last_event_.trouble.empty()) tell_trouble_(last_event_.trouble);
   return in_memory_[key] = std::move(built);
 }
 

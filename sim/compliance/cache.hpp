@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <span>
@@ -18,8 +19,10 @@ namespace palpate::sim {
 /// run. Several caches, in threads or processes, may share a folder; one cache belongs to one thread.
 class ComplianceCache {
  public:
-  /// @param folder  empty: memory only
-  explicit ComplianceCache(std::filesystem::path folder);
+  /// @param folder   empty: memory only
+  /// @param trouble  told, in a sentence for the user, what went wrong without stopping the run
+  explicit ComplianceCache(std::filesystem::path folder,
+                           std::function<void(const std::string& sentence)> trouble = {});
 
   /// The folder that the program uses: $PALPATE_CACHE, else $XDG_CACHE_HOME/palpate, else ~/.cache/palpate.
   static std::filesystem::path default_folder();
@@ -42,6 +45,7 @@ class ComplianceCache {
 
  private:
   std::filesystem::path folder_;
+  std::function<void(const std::string&)> tell_trouble_;
   Event last_event_;
   std::map<std::string, std::shared_ptr<const Compliance>> in_memory_;
 };

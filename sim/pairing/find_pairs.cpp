@@ -39,7 +39,7 @@ Vec3 outward_at(const TouchSurface& surface, const Eigen::Matrix3Xd& positions, 
     if (surface.rim[static_cast<std::size_t>(node)]) return Vec3::Zero();
     return corner_normal(surface, positions, node);
   }
-  const Vec3 normal = area_vector(corners, positions).normalized();
+  Vec3 normal = area_vector(corners, positions).normalized();
   if (found.nearest.edge < 0) return normal;
   const int beyond = surface.across[polygon][static_cast<std::size_t>(found.nearest.edge)];
   if (beyond < 0) return Vec3::Zero();

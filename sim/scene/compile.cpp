@@ -55,7 +55,11 @@ std::vector<int> select(const TetMesh& mesh, const NodeSelection& selection, con
 
 TetMesh read_placed(const BodySpec& spec) {
   TetMesh mesh = read_mesh(spec.mesh, spec.metres_per_unit).mesh;
-  validate(mesh);
+  try {
+    validate(mesh);
+  } catch (const std::invalid_argument& error) {
+    refuse(spec.mesh.string(), error.what());
+  }
   const double angle = spec.rotate.norm();
   const Eigen::Matrix3d turn = angle > 0.0 ? Eigen::AngleAxisd(angle, spec.rotate / angle).toRotationMatrix()
                                            : Eigen::Matrix3d::Identity();
@@ -71,7 +75,12 @@ std::vector<Material> materials_of(const BodySpec& spec, const TetMesh& mesh) {
       refuse(
           fmt::format("bodies.{}.regions.{}", spec.name, name),
           fmt::format("the mesh has no such volume group; it has: {}", fmt::join(mesh.region_names, ", ")));
-    materials[static_cast<std::size_t>(found - mesh.region_names.begin()) + 1] = material;
+    const auto region = static_cast<int>(found - mesh.region_names.begin());
+    if (std::ranges::find(mesh.region, region) == mesh.region.end())
+      refuse(fmt::format("bodies.{}.regions.{}", spec.name, name),
+             "no tetrahedron of the mesh belongs to it: one that lies in several volume groups belongs to "
+             "the smallest");
+    materials[static_cast<std::size_t>(region) + 1] = material;
   }
   return materials;
 }

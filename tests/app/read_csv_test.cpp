@@ -53,11 +53,11 @@ TEST_F(ReadCsv, ReadsWhatOtherProgramsWrite) {
 }
 
 TEST_F(ReadCsv, KeepsCommasQuotesAndLineBreaksWithinQuotes) {
-  const DataTable table = read("name,note\n\"a, b\",\"said \"\"no\"\"\"\n\"two\nlines\",x\nlast,y\n");
+  const DataTable table = read("name,note\n\n\"a, b\",\"said \"\"no\"\"\"\n\"two\nlines\",x\nlast,y\n");
   EXPECT_THAT(table.names, ElementsAre("name", "note"));
   EXPECT_THAT(table.columns[0], ElementsAre("a, b", "two\nlines", "last"));
   EXPECT_THAT(table.columns[1], ElementsAre("said \"no\"", "x", "y"));
-  EXPECT_THAT(table.lines, ElementsAre(2, 3, 5));
+  EXPECT_THAT(table.lines, ElementsAre(3, 4, 6));
 }
 
 TEST_F(ReadCsv, TakesALineOfNumbersForData) {

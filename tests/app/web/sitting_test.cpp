@@ -125,6 +125,18 @@ TEST_F(SittingTest, OneQuestionIsAskedAndStored) {
   EXPECT_NE(said_.find("1 of 4 questions answered"), std::string::npos);
 }
 
+TEST_F(SittingTest, AResponseTimeThatCannotBeIsReplacedAndNoted) {
+  go_to_interval();
+  explore();
+  wait_for("pause");
+  wait_for("interval");
+  explore();
+  wait_for("question");
+  reply("answer", {{"choice", 1}, {"ms", 3.6e6}});  // an hour
+  EXPECT_LT(study_->answers(1).at(0).response_time.value(), 60);
+  EXPECT_EQ(study_->events().back().kind, "response time replaced");
+}
+
 // Two metres are no place of a hand before a screen: as from a device that has gone wrong.
 TEST_F(SittingTest, AnImpossibleHandPausesTheSession) {
   go_to_interval();

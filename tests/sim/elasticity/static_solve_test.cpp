@@ -79,12 +79,16 @@ double tip_ratio(int cells) {
 }
 
 TEST(StaticSolve, CantileverTendsToBeamTheoryFromBelow) {
-  const double coarse = tip_ratio(2), middle = tip_ratio(4), fine = tip_ratio(8);
-  printf("ratios %.5f %.5f %.5f order %.3f limit %.5f\n", coarse, middle, fine,
-         std::log2((middle - coarse) / (fine - middle)), fine + (fine - middle) / 3);
+  const double coarse = tip_ratio(4), middle = tip_ratio(8), fine = tip_ratio(16);
   EXPECT_LT(coarse, middle);
   EXPECT_LT(middle, fine);
   EXPECT_LT(fine, 1.0);  // work of the load = twice the energy, which Galerkin's method never overstates
+  // Energy converges with the square of the element's size for linear elements where the solution is smooth;
+  // at the clamp's edges, where it is not, it takes longer. Extrapolated (Aitken) beam theory is met within 1
+  // %: the clamp also holds back the section's contraction, which beam theory leaves free.
+  const double ratio = (middle - coarse) / (fine - middle);
+  EXPECT_NEAR(std::log2(ratio), 1.75, 0.35);
+  EXPECT_NEAR(fine + (fine - middle) / (ratio - 1), 1.0, 0.01);
 }
 
 }  // namespace

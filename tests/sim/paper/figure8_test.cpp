@@ -1,0 +1,101 @@
+// Fig. 8 of Kuroda et al. 2003 on the scenes that are shipped: what the finger feels of a prostate that is
+// absent, soft or hard, behind the wall of the rectum, with two contact models.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sim/compliance/cache.hpp"
+#include "sim/cycle/press.hpp"
+
+namespace palpate::sim {
+namespace {
+
+constexpr double kDepth = 5e-3;  // [m], as the paper presses
+constexpr int kSteps = 50;       // 0.1 mm each
+
+using Overrides = std::vector<Override>;
+
+const Overrides kAbsent{{"bodies.prostate.present", "false"}};
+const Overrides kSoft{{"bodies.prostate.young_modulus", "1.0 MPa"}};
+const Overrides kHard{{"bodies.prostate.young_modulus", "5.0 MPa"}};
+
+Press pressed(const std::string& scene, Overrides condition, const char* law) {
+  static ComplianceCache cache("");  // keeps what it has condensed
+  condition.push_back({"contact.model", law});
+  const auto file = std::filesystem::path(PALPATE_SOURCE_DIR) / "data/scenes" / scene;
+  const Model model = compile(load_scene(file, condition), cache);
+  return press(model, kDepth, kSteps);
+}
+
+double force(const PressStep& step) {
+  return -step.probe_forces[0].z();
+}  // the finger presses along +z
+
+Vec3 on_prostate(const PressStep& step) {
+  return step.pairs[0].force_on[1];
+}
+
+class Figure8 : public testing::TestWithParam<const char*> {};  // the scene's file: two finenesses
+
+}  // namespace
+
+TEST_P(Figure8, KurodaFeelsWhatLiesBehindTheWall) {
+  const Press absent = pressed(GetParam(), kAbsent, "kuroda");
+  const Press soft = pressed(GetParam(), kSoft, "kuroda");
+  const Press hard = pressed(GetParam(), kHard, "kuroda");
+  int touching = 0;
+  for (int k = 0; k < kSteps; ++k) {
+    const auto step = static_cast<std::size_t>(k);
+    const double none = force(absent.curve[step]);
+    if (soft.curve[step].pairs[0].active == 0) {  // nothing is felt of what is not touched
+      EXPECT_EQ(force(soft.curve[step]), none);
+      EXPECT_EQ(force(hard.curve[step]), none);
+      continue;
+    }
+    ++touching;
+    EXPECT_LT(none, force(soft.curve[step])) << "at " << absent.curve[step].depth;
+    EXPECT_LT(force(soft.curve[step]), force(hard.curve[step])) << "at " << absent.curve[step].depth;
+  }
+  EXPECT_GT(touching, kSteps / 2);
+  EXPECT_GT(force(hard.curve.back()), 1.1 * force(soft.curve.back()));
+}
+
+TEST_P(Figure8, SibilleFeelsThatSomethingIsThereButNotHowHardItIs) {
+  const Press none = pressed(GetParam(), kSoft, "none");
+  const Press soft = pressed(GetParam(), kSoft, "sibille");
+  const Press hard = pressed(GetParam(), kHard, "sibille");
+  for (std::size_t step = 0; step < kSteps; ++step) {
+    EXPECT_NEAR(force(hard.curve[step]) / force(soft.curve[step]), 1.0, 1e-9);
+  }
+  EXPECT_GT(std::abs(force(soft.curve.back()) / force(none.curve.back()) - 1.0), 0.01);
+  // The prostate moves alike, so what moves it is proportional to its modulus.
+  EXPECT_GT(on_prostate(soft.curve.back()).norm(), 0.0);
+  EXPECT_LT((on_prostate(hard.curve.back()) - 5.0 * on_prostate(soft.curve.back())).norm(),
+            1e-9 * on_prostate(hard.curve.back()).norm());
+}
+
+// Neither law balances action and reaction; docs/method.md tells by how much, and these are its figures.
+TEST(Imbalance, IsAsLargeAsTheMethodPageSays) {
+  const auto at_depth = [](const Overrides& condition, const char* law) {
+    const PressStep step = pressed("rectal-palpation.toml", condition, law).curve.back();
+    const auto [on_rectum, on_prostate] = step.pairs[0].force_on;
+    return (on_rectum + on_prostate).norm() / std::max(on_rectum.norm(), on_prostate.norm());
+  };
+  EXPECT_NEAR(at_depth(kSoft, "kuroda"), 0.18, 0.005);  // the page gives whole percents
+  EXPECT_NEAR(at_depth(kHard, "kuroda"), 0.14, 0.005);
+  EXPECT_NEAR(at_depth(kSoft, "sibille"), 0.90, 0.005);
+  EXPECT_NEAR(at_depth(kHard, "sibille"), 0.49, 0.005);
+}
+
+INSTANTIATE_TEST_SUITE_P(Finenesses, Figure8,
+                         testing::Values("rectal-palpation.toml", "rectal-palpation-fine.toml"),
+                         [](const auto& scene) {
+                           return std::string(scene.param).find("fine") == std::string::npos ? "table1"
+                                                                                             : "fine";
+                         });
+
+}  // namespace palpate::sim
