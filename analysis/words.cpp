@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace palpate::analysis {
 
@@ -70,6 +71,28 @@ std::string chance_in_words(double chance) {
   const double choices = std::round(1 / chance);
   if (choices <= 100 && std::abs(chance * choices - 1) < 1e-12) return fmt::format("1/{:.0f}", choices);
   return number(chance);
+}
+
+std::size_t columns(std::string_view text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;  // a UTF-8 continuation byte takes no column
+  }));
+}
+
+std::string wrapped(std::string_view text, std::string_view first, std::string_view next, std::size_t width) {
+  std::istringstream words{std::string(text)};
+  std::string out, row(first), word;
+  bool empty = true;
+  while (words >> word) {
+    if (!empty && columns(row) + 1 + columns(word) > width) {
+      out += row + "\n";
+      row = next;
+      empty = true;
+    }
+    row += (empty ? "" : " ") + word;
+    empty = false;
+  }
+  return out + row + "\n";
 }
 
 }  // namespace palpate::analysis

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "analysis/statistics/result.hpp"
@@ -33,6 +34,14 @@ std::string range(const Interval& interval, const std::function<std::string(doub
 
 /// "95 %": a confidence level or a proportion without needless decimals.
 std::string short_percent(double proportion);
+
+/// How many columns of a terminal a text takes: letters, not bytes.
+std::size_t columns(std::string_view text);
+
+/// A paragraph in lines of at most `width` columns, each with its line end; `first` stands before the first
+/// of them, `next` before the others.
+std::string wrapped(std::string_view text, std::string_view first = "", std::string_view next = "",
+                    std::size_t width = 100);
 
 /// "1 answer", "2 answers".
 std::string counted(long count, const std::string& singular, const std::string& plural);

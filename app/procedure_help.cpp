@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string_view>
+
+#include "analysis/words.hpp"
 
 namespace palpate::app {
 namespace {
@@ -16,19 +17,6 @@ using analysis::Input;
 using analysis::Output;
 using analysis::Procedure;
 using nlohmann::ordered_json;
-
-std::string wrapped(const std::string& text, std::size_t width) {
-  std::istringstream words(text);
-  std::string lines, line;
-  for (std::string word; words >> word;) {
-    if (!line.empty() && line.size() + 1 + word.size() > width) {
-      lines += line + '\n';
-      line.clear();
-    }
-    line += (line.empty() ? "" : " ") + word;
-  }
-  return lines + line + '\n';
-}
 
 std::string_view name_of(Input::Kind kind) {
   switch (kind) {
@@ -120,8 +108,8 @@ std::string data_in_words(const Data& data) {
 }
 
 std::string markdown_of(const Procedure& procedure) {
-  std::string text = fmt::format("\n## {}\n\n**{}** ({})\n\n{}\n\n", procedure.name, procedure.question,
-                                 procedure.title, wrapped(procedure.teaches, 119));
+  std::string text = fmt::format("\n## {}\n\n**{}** ({})\n\n{}\n", procedure.name, procedure.question,
+                                 procedure.title, analysis::wrapped(procedure.teaches, "", "", 119));
   if (procedure.data.shape != Data::Shape::None) {
     text += fmt::format("Data: {}{}.\n\n", procedure.data.meaning,
                         procedure.data.optional ? " (may be left out)" : "");
@@ -180,7 +168,7 @@ std::string summary_of(const Procedure& procedure) {
 }
 
 std::string teaching_of(const Procedure& procedure) {
-  std::string text = wrapped(procedure.teaches, 100);
+  std::string text = analysis::wrapped(procedure.teaches);
   if (procedure.data.shape != Data::Shape::None) text += '\n' + data_in_words(procedure.data);
   return text + "\nExample:\n" + example_of(procedure);
 }

@@ -1,53 +1,30 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <sstream>
+#include <string>
 
 #include "analysis/report/tables.hpp"
 #include "analysis/report/write_report.hpp"
+#include "analysis/words.hpp"
 
 namespace palpate::analysis {
 namespace {
 
-constexpr std::size_t kColumns = 100;
-
-// Letters, not bytes: UTF-8 continuation bytes take no column.
-std::size_t width(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(
-      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
-}
-
-std::string wrap(const std::string& text, const std::string& first, const std::string& next) {
-  std::istringstream words(text);
-  std::string out, row = first, word;
-  bool empty = true;
-  while (words >> word) {
-    if (!empty && width(row) + 1 + width(word) > kColumns) {
-      out += row + "\n";
-      row = next;
-      empty = true;
-    }
-    row += (empty ? "" : " ") + word;
-    empty = false;
-  }
-  return out + row + "\n";
-}
-
 std::string heading(const std::string& text, char underline) {
-  return "\n" + text + "\n" + std::string(width(text), underline) + "\n";
+  return "\n" + text + "\n" + std::string(columns(text), underline) + "\n";
 }
 
 std::string laid_out(const TextTable& table) {
   std::vector<std::size_t> widths(table.header.size(), 0);
   const auto measure = [&](const std::vector<std::string>& row) {
-    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], width(row[c]));
+    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], columns(row[c]));
   };
   measure(table.header);
   for (const auto& row : table.rows) measure(row);
   const auto write = [&](const std::vector<std::string>& row) {
     std::string text;
     for (std::size_t c = 0; c < row.size(); ++c) {
-      const std::string blanks(widths[c] - width(row[c]) + (c + 1 < row.size() ? 2 : 0), ' ');
+      const std::string blanks(widths[c] - columns(row[c]) + (c + 1 < row.size() ? 2 : 0), ' ');
       text += row[c] + blanks;
     }
     return "  " + text.substr(0, text.find_last_not_of(' ') + 1) + "\n";
@@ -59,9 +36,9 @@ std::string laid_out(const TextTable& table) {
 
 std::string section(const TextTable& table, const std::string& title, const std::string& claim = "") {
   std::string text = heading(title, '-');
-  if (!claim.empty()) text += wrap(claim, "", "");
+  if (!claim.empty()) text += wrapped(claim);
   text += laid_out(table);
-  return table.note.empty() ? text : text + wrap(table.note, "", "");
+  return table.note.empty() ? text : text + wrapped(table.note);
 }
 
 // Names come from files: nothing in them may steer the terminal.
@@ -78,10 +55,10 @@ std::string text_report(const StudyReport& report) {
   std::string text = "Significance report: " + report.design.protocol_name + "\n";
   text += fmt::format("Run mode: {}; protocol {}\n", report.run_mode,
                       report.design.protocol_sha256.substr(0, 16));
-  for (const std::string& banner : report.banners) text += "\n" + wrap(banner, "!! ", "!! ");
+  for (const std::string& banner : report.banners) text += "\n" + wrapped(banner, "!! ", "!! ");
   text += heading("Summary", '=');
   for (std::size_t i = 0; i < report.summary.size(); ++i)
-    text += (i > 0 ? "\n" : "") + wrap(report.summary[i], "", "");
+    text += (i > 0 ? "\n" : "") + wrapped(report.summary[i]);
   text += section(primary_table(report), "Primary test: pooled exact binomial test", report.pooled_claim);
   text += section(people_table(report), "Secondary: examinee-level test", report.people_claim);
   if (!report.comparisons.empty()) {
@@ -92,9 +69,9 @@ std::string text_report(const StudyReport& report) {
   if (!report.stimuli.empty()) text += section(stimulus_table(report), "Stimuli as they were explored");
   if (!report.voided.empty()) text += section(voided_table(report), "Voided trials, not counted");
   text += heading("Method", '=');
-  for (const std::string& paragraph : report.method) text += wrap(paragraph, "", "");
+  for (const std::string& paragraph : report.method) text += wrapped(paragraph);
   text += heading("Limits", '=');
-  for (const std::string& limit : report.limits) text += wrap(limit, "- ", "  ");
+  for (const std::string& limit : report.limits) text += wrapped(limit, "- ", "  ");
   text += section(session_table(report), "Sessions");
   text += fmt::format("\nProtocol {}\nReport by palpate {}{}\n", report.design.protocol_sha256,
                       report.options.software_version,

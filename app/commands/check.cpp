@@ -10,6 +10,7 @@
 
 #include "analysis/statistics/binomial_power.hpp"
 #include "analysis/statistics/critical_number.hpp"
+#include "analysis/words.hpp"
 #include "app/commands/commands.hpp"
 #include "app/mesh_report.hpp"
 #include "app/output.hpp"
@@ -158,7 +159,7 @@ void print_text(const ProtocolCheck& check) {
   fmt::print("  cells           {}\n", fmt::join(plan.cells, ", "));
   fmt::print("  trials          {} an examinee, {} examinees planned: {} in each cell\n",
              plan.trials_per_session, plan.planned_examinees, plan.trials_per_cell);
-  fmt::print("  order           {}\n", plan.order);
+  fmt::print("{}", analysis::wrapped(plan.order, "  order           ", "                  "));
   fmt::print("  predictability  the best rule that feels nothing is right in {:.0f} % of trials\n",
              100 * plan.best_guess);
   fmt::print("  primary test    {}, {}, alpha {}\n", check.protocol.analysis.primary,

@@ -1,0 +1,100 @@
+// `palpate stats` as a person and as a script use it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/end_to_end/program.hpp"
+
+namespace palpate::test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class Stats : public testing::Test {
+ protected:
+  Stats() { std::filesystem::create_directories(folder_); }
+  ~Stats() override { std::filesystem::remove_all(folder_); }
+
+  std::string file(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+    return folder_ / name;
+  }
+
+ private:
+  std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() / ("palpate-stats-" + std::to_string(::getpid()));
+};
+
+std::vector<json> lines_of(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<json> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(json::parse(line));
+  return lines;
+}
+
+}  // namespace
+
+// What a person types and what a script writes are one procedure.
+TEST_F(Stats, OptionsCsvAndJsonLinesGiveTheSameResult) {
+  const std::string column = file("differences.csv", "difference\n1\n2\n3\n-1\n");
+  const Outcome typed = run({"stats", "sign", column, "--side", "greater", "--format", "json"});
+  ASSERT_EQ(typed.exit_code, 0) << typed.err;
+  const std::string batch =
+      file("batch.jsonl", R"({"procedure": "sign", "side": "greater", "file": ")" + column +
+                              R"("}
+{"procedure": "sign", "side": "greater", "data": {"difference": [1, 2, 3, -1]}})");
+  const Outcome scripted = run({"stats", "batch", batch});
+  ASSERT_EQ(scripted.exit_code, 0) << scripted.err;
+  for (const json& line : lines_of(scripted.out)) EXPECT_EQ(line, json::parse(typed.out));
+}
+
+TEST_F(Stats, ALineThatCannotBeAnsweredLosesNoOther) {
+  const std::string batch =
+      file("batch.jsonl", R"({"procedure": "binomial", "correct": 37, "trials": 60, "id": "a"}
+oops
+{"procedure": "binomial", "correct": 70, "trials": 60, "id": "c"}
+
+{"procedure": "critical", "trials": 60, "id": "e"})");
+  const Outcome outcome = run({"stats", "batch", batch});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("2 lines could not be answered"));
+  const std::vector<json> lines = lines_of(outcome.out);
+  ASSERT_EQ(lines.size(), 4U);
+  EXPECT_NEAR(lines[0]["p"].get<double>(), 0.04623049,
+              1e-8);  // R: binom.test(37, 60, alternative = "greater")
+  EXPECT_EQ(lines[0]["id"], "a");
+  EXPECT_EQ(lines[1]["line"], 2);
+  EXPECT_EQ(lines[2]["id"], "c");
+  EXPECT_EQ(lines[2]["error"], "70 correct answers of 60 trials; accepted: 0 to 60");
+  EXPECT_EQ(lines[3]["at_least"], 37);
+}
+
+TEST_F(Stats, SaysWhatIsWrongAndWhatIsAccepted) {
+  const Outcome word = run({"stats", "binomial", "--correct", "many", "--trials", "60"});
+  EXPECT_EQ(word.exit_code, 1);
+  EXPECT_THAT(word.err, HasSubstr("correct is 'many'; accepted: a whole number"));
+  EXPECT_THAT(word.out, IsEmpty());
+  const Outcome missing = run({"stats", "binomial", "--trials", "60"});
+  EXPECT_EQ(missing.exit_code, 2);
+  EXPECT_THAT(missing.err, HasSubstr("--correct is required"));
+  const Outcome column = run({"stats", "sign", file("bad.csv", "difference\n1\nx\n")});
+  EXPECT_EQ(column.exit_code, 1);
+  EXPECT_THAT(column.err, HasSubstr("bad.csv:3: difference is 'x'"));
+}
+
+// Made by `palpate stats list --format markdown > docs/procedures.md`.
+TEST_F(Stats, ThePageThatDocumentsThemIsUpToDate) {
+  std::ifstream in(std::string(PALPATE_SOURCE_DIR) + "/docs/procedures.md");
+  const std::string page{std::istreambuf_iterator<char>(in), {}};
+  EXPECT_EQ(run({"stats", "list", "--format", "markdown"}).out, page);
+}
+
+}  // namespace palpate::test
