@@ -1,0 +1,110 @@
+#include "analysis/statistics/order_randomisation.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <boost/math/distributions/hypergeometric.hpp>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+namespace palpate::analysis {
+namespace {
+
+void validate(const OrderStratum& s) {
+  const auto within = [&](long count) { return count >= 0 && count <= s.trials; };
+  // correct = a + (trials - correct_first - answers_first + a) with a trials both correct first and answered
+  // 1
+  const long twice_a = s.correct - s.trials + s.correct_first + s.answers_first;
+  const long a = twice_a / 2;
+  const bool whole = s.trials >= 1 && within(s.correct_first) && within(s.answers_first) && within(s.correct);
+  if (whole && twice_a % 2 == 0 && a >= 0 && a <= std::min(s.correct_first, s.answers_first) &&
+      a >= s.correct_first + s.answers_first - s.trials)
+    return;
+  throw std::invalid_argument(
+      fmt::format("a stratum of {} trials, {} of them with the correct interval first, {} answered 1 and {} "
+                  "correct contradicts itself",
+                  s.trials, s.correct_first, s.answers_first, s.correct));
+}
+
+/// Probability of 0, 1, ... trials correct answers in one stratum.
+std::vector<double> of_stratum(const OrderStratum& s) {
+  std::vector<double> probability(static_cast<std::size_t>(s.trials) + 1, 0.0);
+  const auto count = [](long n) { return static_cast<unsigned>(n); };
+  const boost::math::hypergeometric_distribution<> both(count(s.correct_first), count(s.answers_first),
+                                                        count(s.trials));
+  const long fewest = std::max(0L, s.correct_first + s.answers_first - s.trials);
+  for (long a = fewest; a <= std::min(s.correct_first, s.answers_first); ++a) {
+    const long correct = 2 * a + s.trials - s.correct_first - s.answers_first;
+    probability[static_cast<std::size_t>(correct)] = boost::math::pdf(both, count(a));
+  }
+  return probability;
+}
+
+std::vector<double> convolve(const std::vector<double>& a, const std::vector<double>& b) {
+  std::vector<double> sum(a.size() + b.size() - 1, 0.0);
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = 0; j < b.size(); ++j) sum[i + j] += a[i] * b[j];
+  return sum;
+}
+
+constexpr double kAlike = 1e-7;  // relative: probabilities this close count as equal, as in binomial_test()
+
+PValues p_of(const std::vector<double>& probability, std::size_t seen) {
+  PValues p{.greater = 0.0, .less = 0.0, .two_sided = 0.0};
+  for (std::size_t k = 0; k < probability.size(); ++k) {
+    if (k >= seen) p.greater += probability[k];
+    if (k <= seen) p.less += probability[k];
+    if (probability[k] <= probability[seen] * (1 + kAlike)) p.two_sided += probability[k];
+  }
+  for (double* value : {&p.greater, &p.less, &p.two_sided}) *value = std::min(1.0, *value);
+  return p;
+}
+
+/// The largest region whose p values are at most alpha.
+CriticalNumber region(const std::vector<double>& probability, double alpha, Side side) {
+  CriticalNumber critical{.trials = static_cast<long>(probability.size()) - 1, .alpha = alpha, .side = side};
+  const double limit = alpha * (1 + 1e-12);
+  double mean = 0.0;
+  for (std::size_t k = 0; k < probability.size(); ++k) mean += static_cast<double>(k) * probability[k];
+  critical.chance = mean / static_cast<double>(critical.trials);
+  for (std::size_t k = 0; k < probability.size(); ++k) {
+    if (probability[k] == 0.0 || p_of(probability, k).of(side) > limit) continue;
+    const auto number = static_cast<long>(k);
+    if (static_cast<double>(k) > mean && !critical.at_least) critical.at_least = number;
+    if (static_cast<double>(k) < mean) critical.at_most = number;
+    critical.size += probability[k];
+  }
+  return critical;
+}
+
+}  // namespace
+
+OrderRandomisationTest order_randomisation_test(std::span<const OrderStratum> strata, double alpha,
+                                                Side side) {
+  require_level(alpha, "alpha");
+  if (strata.empty())
+    throw std::invalid_argument("no answers: the randomisation test needs one stratum at least");
+  OrderRandomisationTest test;
+  test.under_guessing = {1.0};
+  double variance = 0.0;
+  for (const OrderStratum& stratum : strata) {
+    validate(stratum);
+    test.correct += stratum.correct;
+    test.trials += stratum.trials;
+    test.under_guessing = convolve(test.under_guessing, of_stratum(stratum));
+  }
+  for (std::size_t k = 0; k < test.under_guessing.size(); ++k)
+    test.expected += static_cast<double>(k) * test.under_guessing[k];
+  for (std::size_t k = 0; k < test.under_guessing.size(); ++k)
+    variance += std::pow(static_cast<double>(k) - test.expected, 2) * test.under_guessing[k];
+  test.standard_deviation = std::sqrt(variance);
+  test.p = p_of(test.under_guessing, static_cast<std::size_t>(test.correct));
+  test.critical = region(test.under_guessing, alpha, side);
+  test.method = {.name = "randomisation test over the admissible orders, exact",
+                 .source = "Edgington & Onghena 2007"};
+  test.critical.method = test.method;
+  return test;
+}
+
+}  // namespace palpate::analysis
