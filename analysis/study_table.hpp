@@ -41,6 +41,8 @@ struct StudyDesign {
   double alpha = 0.05;
   std::string side = "greater";         // "greater", "less", "two-sided"
   std::string between_models = "none";  // "sign-flip", "wilcoxon", "none"
+  std::vector<int> looks{};             // complete examinees at each planned look; empty: at the end only
+  std::string spending{};               // of alpha over the looks: "obrien-fleming", "pocock"
 };
 
 /// One examinee's sitting.
@@ -102,8 +104,17 @@ struct ForceCurve {
   std::size_t intervals = 0;          // presses averaged
 };
 
+/// The analysis plan as it was frozen in the study file.
+struct FrozenPlan {
+  std::string sha256{};  // of its text
+  std::string frozen_utc{};
+  std::string software_version{};
+};
+
 struct StudyTable {
   StudyDesign design{};
+  std::optional<FrozenPlan> frozen_plan{};
+  int interim_looks = 0;  // at the results, that were asked for before the planned sample was complete
   std::vector<SessionRow> sessions{};
   std::vector<TrialRow> trials{};
   std::vector<ForceCurve> curves{};

@@ -6,7 +6,10 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
+
+#include "sim/io/sha256.hpp"
 
 namespace palpate::app {
 namespace {
@@ -14,11 +17,13 @@ namespace {
 constexpr double kDepthStep = 0.00025;              // of the force curves [m]
 constexpr std::size_t kPresentationsOfCurve = 200;  // enough for a mean; each trace must be unpacked
 
-analysis::StudyDesign design_of(const trials::StudyRow& study, const trials::Protocol& protocol) {
+}  // namespace
+
+analysis::StudyDesign design_of(const trials::Protocol& protocol) {
   analysis::StudyDesign design{
       .protocol_name = protocol.name,
-      .protocol_sha256 = study.protocol_sha256,
-      .protocol_text = study.protocol_text,
+      .protocol_sha256 = protocol.sha256,
+      .protocol_text = protocol.text,
       .question = protocol.question,
       .task = protocol.task,
       .correct_condition = protocol.conditions[protocol.correct].name,
@@ -35,7 +40,9 @@ analysis::StudyDesign design_of(const trials::StudyRow& study, const trials::Pro
       .primary = protocol.analysis.primary,
       .alpha = protocol.analysis.alpha,
       .side = protocol.analysis.side,
-      .between_models = protocol.analysis.between_models.value_or("none")};
+      .between_models = protocol.analysis.between_models.value_or("none"),
+      .looks = protocol.analysis.looks,
+      .spending = protocol.analysis.spending};
   for (const std::size_t condition : protocol.pair)
     design.conditions.push_back(protocol.conditions[condition].name);
   for (const trials::Factor& factor : protocol.factors) design.factors.push_back(factor.key);
@@ -47,6 +54,8 @@ analysis::StudyDesign design_of(const trials::StudyRow& study, const trials::Pro
   }
   return design;
 }
+
+namespace {
 
 analysis::SessionRow session_of(const std::string& protocol_sha256, const trials::SessionRow& session) {
   const trials::SessionFacts& facts = session.facts;
@@ -197,15 +206,29 @@ std::vector<double> force_at_depths(const trials::Trace& trace) {
   return sums;
 }
 
+namespace {
+
+analysis::FrozenPlan frozen_plan_of(const trials::EventRow& event) {
+  const auto plan = nlohmann::json::parse(event.text, nullptr, false);
+  const auto text = [&](const char* key) { return plan.is_object() ? plan.value(key, "") : std::string(); };
+  return {.sha256 = sim::sha256_hex(event.text),
+          .frozen_utc = event.utc,
+          .software_version = text("software_version")};
+}
+
+}  // namespace
+
 analysis::StudyTable read_study_table(const trials::StudyFile& study, bool curves) {
   const trials::Protocol& protocol = study.protocol();
-  analysis::StudyTable table{.design = design_of(study.study(), protocol)};
+  analysis::StudyTable table{.design = design_of(protocol)};
   Voided voided;
   for (const trials::EventRow& event : study.events()) {
     if (event.kind == trials::event_kind::kVoided && event.session && event.trial) {
       voided[{*event.session, *event.trial}] = event.text;
     }
+    if (event.kind == kPlanFrozen) table.frozen_plan = frozen_plan_of(event);
     if (event.kind == kInterimLook) {
+      ++table.interim_looks;
       table.notes.push_back(
           fmt::format("The results were looked at before the planned sample was complete, on {}: {}.",
                       event.utc, event.text));

@@ -68,7 +68,9 @@ struct Observer {
   double weber_fraction = 0.0;
   double interval_bias = 0.0;
 };
+/// The observer keeps a pointer to its parameters: they must outlive it.
 Observer draw_observer(const ObserverParameters& parameters, Generator& generator);
+Observer draw_observer(ObserverParameters&& parameters, Generator& generator) = delete;
 
 constexpr int kObserverCycles = 1000;   // of an interval
 constexpr double kObserverRate = 1000;  // [Hz]

@@ -131,7 +131,11 @@ void read_procedure_and_order(TomlReader procedure, TomlReader order, Protocol& 
       whole_number(procedure, "trials_per_examinee_per_cell", 1, kMostTrials);
   procedure.refuse_unknown();
   protocol.cell_order = word(order, "cells", {"shuffled"}, {"blocked", "balanced"});
-  protocol.interval_order = word(order, "interval", {"coin"}, {"balanced"});
+  protocol.interval_order = word(order, "interval", {"coin", "balanced"});
+  if (protocol.interval_order == "balanced" && protocol.trials_per_examinee_per_cell % 2 != 0)
+    order.refuse("interval", fmt::format("balances the two orders, and {} trials of a cell cannot be halved; "
+                                         "accepted: an even trials_per_examinee_per_cell, or \"coin\"",
+                                         protocol.trials_per_examinee_per_cell));
   order.refuse_unknown();
 }
 
@@ -157,9 +161,41 @@ void read_exploration(TomlReader reader, Exploration& rule) {
   reader.refuse_unknown();
 }
 
+/// Looks at the results before the sample is complete, by how many examinees are complete then.
+void read_looks(TomlReader& reader, Protocol& protocol) {
+  AnalysisPlan& plan = protocol.analysis;
+  if (protocol.interval_order != "coin")
+    reader.refuse("looks",
+                  "are planned for the exact binomial test; accepted with order.interval = \"coin\" only");
+  if (plan.side == "two-sided")
+    reader.refuse("looks", "are planned for one-sided tests; accepted with side = \"greater\" or \"less\"");
+  int before = 0;
+  for (const toml::node& item : reader.as_array("looks", *reader.node("looks"), "numbers of examinees")) {
+    const std::int64_t at = item.is_integer() ? *item.value<std::int64_t>() : 0;
+    if (at <= before || at > protocol.planned_examinees)
+      reader.refuse("looks",
+                    fmt::format("accepted: ascending numbers of examinees, at most the {} planned, the last "
+                                "of them all planned ones, such as [5, 10, 15]",
+                                protocol.planned_examinees));
+    plan.looks.push_back(before = static_cast<int>(at));
+  }
+  if (before != protocol.planned_examinees)
+    reader.refuse("looks", fmt::format("ends with {}; accepted: the last look is at all {} planned examinees",
+                                       before, protocol.planned_examinees));
+  plan.spending = word(reader, "spending", {"obrien-fleming", "pocock"});
+}
+
 void read_analysis(TomlReader reader, Protocol& protocol) {
   AnalysisPlan& plan = protocol.analysis;
-  plan.primary = word(reader, "primary", {"paired-comparison"});
+  plan.primary = word(reader, "primary", {"paired-comparison", "order-randomisation"});
+  const bool coin = protocol.interval_order == "coin";
+  if (coin != (plan.primary == "paired-comparison"))
+    reader.refuse(
+        "primary",
+        coin ? "found \"order-randomisation\", which is for balanced orders; accepted with order.interval "
+               "= \"coin\": \"paired-comparison\", which is the same test there"
+             : "found \"paired-comparison\", which holds for coin flips only; accepted with "
+               "order.interval = \"balanced\": \"order-randomisation\"");
   plan.alpha = reader.required_number("alpha");
   if (!(plan.alpha > 0.0 && plan.alpha < 1.0))
     reader.refuse("alpha", fmt::format("found {}, accepted: greater than 0 and less than 1", plan.alpha));
@@ -173,6 +209,7 @@ void read_analysis(TomlReader reader, Protocol& protocol) {
                       "with two levels, or no between_models",
                       protocol.cells.size()));
   }
+  if (reader.has("looks")) read_looks(reader, protocol);
   reader.refuse_unknown();
 }
 

@@ -20,11 +20,13 @@ struct Trial {
 };
 
 /// The order of one sitting: every cell trials_per_examinee_per_cell times in one random order
-/// (Fisher-Yates), and for each trial a fair coin for which interval comes first. To be stored trial by
-/// trial, never derived again.
+/// (Fisher-Yates), and for each trial which interval comes first: a fair coin, or, where the protocol
+/// balances, either order in half of each cell's trials, in random sequence. To be stored trial by trial,
+/// never derived again.
 std::vector<Trial> draw_plan(const Protocol& protocol, Generator& generator);
 
-/// Draws the order of intervals of an interrupted trial again; its cell stays.
+/// Draws the order of intervals of an interrupted trial again; its cell stays. A balanced order is kept,
+/// since a new draw of one trial would unbalance it.
 Trial redraw(const Protocol& protocol, Trial trial, Generator& generator);
 
 /// How many blocks progress is shown by: at most 4, of equal length to within one trial.

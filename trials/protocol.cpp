@@ -33,6 +33,23 @@ Stimulus make_stimulus(const Protocol& protocol, std::size_t cell, std::size_t c
   return stimulus;
 }
 
+std::string order_in_words(const Protocol& protocol, const PlanSummary& plan) {
+  const std::string& correct = protocol.conditions[protocol.correct].name;
+  const std::string cells = fmt::format(
+      "All {} trials of a sitting come in one random order, whatever their cell. ", plan.trials_per_session);
+  if (protocol.interval_order == "balanced")
+    return cells + fmt::format(
+                       "In each cell \"{}\" comes first in exactly half of the {} trials, in random "
+                       "sequence. Nobody is told whether an answer was right, so that counting the "
+                       "orders helps no more than guessing: {:.0f} % right.",
+                       correct, protocol.trials_per_examinee_per_cell, 100 * plan.best_guess);
+  return cells + fmt::format(
+                     "Before each trial a fair coin decides which interval holds \"{}\"; flips are "
+                     "independent, so that whoever feels nothing is right in {:.0f} % of the trials "
+                     "whatever rule is followed, and may be right or wrong many times in a row.",
+                     correct, 100 * plan.best_guess);
+}
+
 }  // namespace
 
 int intervals_per_trial(const Protocol& protocol) {
@@ -65,14 +82,9 @@ PlanSummary describe(const Protocol& protocol) {
   summary.planned_examinees = protocol.planned_examinees;
   summary.trials_per_cell = protocol.planned_examinees * protocol.trials_per_examinee_per_cell;
   for (const Cell& cell : protocol.cells) summary.cells.push_back(cell.name);
-  summary.best_guess = 1.0 / intervals_per_trial(protocol);  // independent fair flips: no rule does better
-  summary.order = fmt::format(
-      "All {} trials of a sitting come in one random order, whatever their cell. Before each trial a fair "
-      "coin "
-      "decides which interval holds \"{}\"; flips are independent, so that whoever feels nothing is right in "
-      "{:.0f} % "
-      "of the trials whatever rule is followed, and may be right or wrong many times in a row.",
-      summary.trials_per_session, protocol.conditions[protocol.correct].name, 100 * summary.best_guess);
+  // Nobody is told whether an answer was right: whatever was answered before, the next trial is a fair guess.
+  summary.best_guess = 1.0 / intervals_per_trial(protocol);
+  summary.order = order_in_words(protocol, summary);
   return summary;
 }
 

@@ -60,14 +60,16 @@ struct Exploration {
 
 /// What the protocol decides about its analysis beforehand; the words are those of the file.
 struct AnalysisPlan {
-  std::string primary;                        // "paired-comparison"
+  std::string primary;                        // "paired-comparison", "order-randomisation"
   double alpha = 0.05;                        // in (0, 1)
   std::string side;                           // "greater", "two-sided"
   std::optional<std::string> between_models;  // "sign-flip", "wilcoxon"
+  std::vector<int> looks{};  // complete examinees at each planned look; empty: at the end only
+  std::string spending{};    // of alpha over the looks: "obrien-fleming", "pocock"
 };
 
 /// A study's design, read and validated. In this version: task 2IFC, constant stimuli, cells shuffled,
-/// intervals by coin flips.
+/// intervals by coin flips or balanced.
 struct Protocol {
   std::string name;
   std::filesystem::path file;        // where it was read

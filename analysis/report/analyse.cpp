@@ -24,13 +24,15 @@ std::optional<double> median(std::vector<double> values) {
 
 // Counts of one pass over the trials.
 struct Counts {
-  std::vector<OrderCounts> orders;                  // one for each cell
-  std::vector<std::vector<double>> response_times;  // likewise
+  std::vector<OrderCounts> orders;                            // one for each cell
+  std::vector<std::vector<double>> response_times;            // likewise
+  std::vector<std::map<std::size_t, OrderStratum>> sittings;  // likewise, by session
 };
 
 Counts count(const Selection& selection, std::vector<CellResult>& cells) {
   Counts counts{.orders = std::vector<OrderCounts>(cells.size()),
-                .response_times = std::vector<std::vector<double>>(cells.size())};
+                .response_times = std::vector<std::vector<double>>(cells.size()),
+                .sittings = std::vector<std::map<std::size_t, OrderStratum>>(cells.size())};
   for (const TrialRow* trial : selection.trials) {
     CellResult& cell = cells[trial->cell];
     ExamineeCount& examinee = cell.by_examinee[selection.examinee_of[trial->session]];
@@ -40,17 +42,24 @@ Counts count(const Selection& selection, std::vector<CellResult>& cells) {
     ++cell.trials, ++examinee.trials, ++(first ? order.trials_first : order.trials_second);
     cell.correct += correct, examinee.correct += correct;
     (first ? order.correct_first : order.correct_second) += correct;
+    OrderStratum& sitting = counts.sittings[trial->cell][trial->session];
+    ++sitting.trials;
+    sitting.correct += correct;
+    sitting.correct_first += first ? 1 : 0;
+    sitting.answers_first += trial->response == "1" ? 1 : 0;
     if (trial->response_time_s) counts.response_times[trial->cell].push_back(*trial->response_time_s);
   }
   for (const TrialRow* trial : selection.voided) ++cells[trial->cell].voided;
   return counts;
 }
 
-void test_cell(CellResult& cell, const OrderCounts& orders, const StudyDesign& design, double level) {
+void test_cell(CellResult& cell, const Counts& counts, std::size_t index, const StudyReport& report) {
   if (cell.trials == 0) return;
-  const Side side = side_from_name(design.side);
-  cell.pooled = binomial_test(cell.correct, cell.trials, kChance, side, level);
-  cell.critical = critical_number(cell.trials, kChance, design.alpha, side);
+  const OrderCounts& orders = counts.orders[index];
+  const double level = report.options.level;
+  std::vector<OrderStratum> sittings;
+  for (const auto& [session, sitting] : counts.sittings[index]) sittings.push_back(sitting);
+  cell.primary = primary_test(report.design, sittings, level, report.look);
   cell.d_prime = dprime_2ifc(cell.correct, cell.trials, DPrimeCorrection::HalfTrial, level);
   cell.bias = interval_bias(orders, DPrimeCorrection::HalfTrial, level);
   std::vector<ExamineeCount> answered;
@@ -177,7 +186,7 @@ void compute(const Selection& selection, StudyReport& report) {
   const Counts counts = count(selection, report.cells);
   for (std::size_t i = 0; i < report.cells.size(); ++i) {
     report.cells[i].median_response_time_s = median(counts.response_times[i]);
-    if (!report.withheld) test_cell(report.cells[i], counts.orders[i], report.design, report.options.level);
+    if (!report.withheld) test_cell(report.cells[i], counts, i, report);
   }
   for (std::size_t i = 0; i < report.cells.size(); ++i) {
     for (std::size_t j = i + 1; j < report.cells.size(); ++j) {
@@ -200,7 +209,8 @@ StudyReport analyse(const StudyTable& table, const ReportOptions& options) {
   take_sessions(table, selection, report);
   report.complete_examinees = complete_examinees(table.design, selection);
   report.complete = report.complete_examinees >= report.planned_examinees;
-  report.withheld = !report.complete && !options.interim;
+  report.look = look_due(report.design, report.complete_examinees);
+  report.withheld = !report.complete && !report.look && !options.interim;
   compute(selection, report);
   report.stimuli = summarise_stimuli(table.design, selection);
   write_sentences(table.notes, report);

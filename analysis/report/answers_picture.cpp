@@ -1,7 +1,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 
 #include "analysis/report/pictures.hpp"
@@ -43,20 +42,21 @@ Scale scale_of(const StudyReport& report) {
 
 // The distribution of the number correct under guessing, drawn as a hill whose rejected part is darker.
 std::string hill(const CellResult& cell, const Scale& scale, double base) {
-  const boost::math::binomial_distribution<> guessing(static_cast<double>(cell.trials), cell.pooled->chance);
-  const double spread = 5 * standard_deviation(guessing) + 2, centre = mean(guessing);
-  const long first = std::max(0L, std::lround(centre - spread)),
-             last = std::min(cell.trials, std::lround(centre + spread));
-  const double top = pdf(guessing, mode(guessing));
+  const std::vector<double>& guessing = cell.primary->under_guessing;
+  const double top = *std::max_element(guessing.begin(), guessing.end());
+  const auto seen = [top](double probability) { return probability > 1e-4 * top; };
+  const auto first = std::find_if(guessing.begin(), guessing.end(), seen) - guessing.begin();
+  const auto last = guessing.rend() - std::find_if(guessing.rbegin(), guessing.rend(), seen) - 1;
+  const double centre = cell.primary->chance * static_cast<double>(cell.trials);
   std::vector<std::pair<double, double>> all, rejected_low, rejected_high;
   const auto add = [&](auto& points, long k) {
-    const double height = base - kHill * pdf(guessing, static_cast<double>(k)) / top;
+    const double height = base - kHill * guessing[static_cast<std::size_t>(k)] / top;
     points.emplace_back(scale.at(static_cast<double>(k) - 0.5, cell.trials), height);
     points.emplace_back(scale.at(static_cast<double>(k) + 0.5, cell.trials), height);
   };
   for (long k = first; k <= last; ++k) {
     add(all, k);
-    if (!rejects(*cell.critical, k)) continue;
+    if (!rejects(cell.primary->critical, k)) continue;
     add(static_cast<double>(k) > centre ? rejected_high : rejected_low, k);
   }
   std::string marks;
@@ -80,20 +80,20 @@ std::string critical_mark(double x, double y, const std::string& text, bool left
 // Interval, critical numbers and the hill: everything that is an inference.
 std::string inference(const CellResult& cell, const Scale& scale, double y) {
   const double n = static_cast<double>(cell.trials), middle = y + kBar / 2;
-  const double lower = scale.at(cell.pooled->interval.lower * n, cell.trials);
-  const double upper = scale.at(cell.pooled->interval.upper * n, cell.trials);
+  const double lower = scale.at(cell.primary->interval.lower * n, cell.trials);
+  const double upper = scale.at(cell.primary->interval.upper * n, cell.trials);
   std::string marks = line(lower, middle, upper, middle, "class=\"whisker\"") +
                       line(lower, middle - 6, lower, middle + 6, "class=\"whisker\"") +
                       line(upper, middle - 6, upper, middle + 6, "class=\"whisker\"");
-  if (cell.critical->at_least) {
-    const double k = static_cast<double>(*cell.critical->at_least);
+  if (cell.primary->critical.at_least) {
+    const double k = static_cast<double>(*cell.primary->critical.at_least);
     marks += critical_mark(scale.at(k - 0.5, cell.trials), y,
-                           fmt::format("{} or more", *cell.critical->at_least), false);
+                           fmt::format("{} or more", *cell.primary->critical.at_least), false);
   }
-  if (cell.critical->at_most) {
-    const double k = static_cast<double>(*cell.critical->at_most);
+  if (cell.primary->critical.at_most) {
+    const double k = static_cast<double>(*cell.primary->critical.at_most);
     marks += critical_mark(scale.at(k + 0.5, cell.trials), y,
-                           fmt::format("{} or fewer", *cell.critical->at_most), true);
+                           fmt::format("{} or fewer", *cell.primary->critical.at_most), true);
   }
   return marks;
 }
@@ -104,18 +104,18 @@ std::string row(const CellResult& cell, const Scale& scale, double y, std::size_
     return marks + label(kLeft + 6, y + kBar / 2 + 5, "start", "no answers", "class=\"tick\"");
   marks += label(kLeft - 12, y + kBar / 2 + 15, "end", fmt::format("{} of {}", cell.correct, cell.trials),
                  "class=\"tick\"");
-  if (cell.pooled) marks += hill(cell, scale, y);
+  if (cell.primary) marks += hill(cell, scale, y);
   const double end = scale.at(static_cast<double>(cell.correct), cell.trials);
   marks += rectangle(kLeft, y, end - kLeft, kBar, fmt::format("fill=\"{}\" class=\"bar\"", colour(index)));
-  return cell.pooled ? marks + inference(cell, scale, y) : marks;
+  return cell.primary ? marks + inference(cell, scale, y) : marks;
 }
 
 std::string description(const StudyReport& report) {
   std::string text;
   for (const CellResult& cell : report.cells) {
     text += fmt::format("{}: {} correct of {}. ", cell.name, cell.correct, cell.trials);
-    if (cell.critical && !region_in_words(*cell.critical).empty()) {
-      text += fmt::format("Guessing is rejected by {}. ", region_in_words(*cell.critical));
+    if (cell.primary && !region_in_words(cell.primary->critical).empty()) {
+      text += fmt::format("Guessing is rejected by {}. ", region_in_words(cell.primary->critical));
     }
   }
   return text;

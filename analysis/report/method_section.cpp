@@ -80,9 +80,10 @@ std::string order(const StudyReport& report) {
   const std::vector<std::string> sources =
       distinct(report, [](const SessionRow& s) { return s.order_source; });
   return fmt::format(
-      "Trials of all cells were mixed in one order ({}); which condition came first was decided by an "
-      "independent fair coin for each trial.{}",
-      report.design.cell_order,
+      "Trials of all cells were mixed in one order ({}); {}.{}", report.design.cell_order,
+      report.design.interval_order == "coin"
+          ? "which condition came first was decided by an independent fair coin for each trial"
+          : "of each examinee's trials in a cell, half had either condition first, in random sequence",
       sources.empty() ? ""
       : sources.size() <= 5
           ? fmt::format(" Source of randomness: {}.", listed(sources))
@@ -90,14 +91,27 @@ std::string order(const StudyReport& report) {
                         sources.size()));
 }
 
+std::string looks(const StudyDesign& design) {
+  if (design.looks.empty()) return "";
+  std::vector<std::string> at;
+  for (const int look : design.looks) at.push_back(std::to_string(look));
+  return fmt::format(
+      " Looks were planned at {} complete examinees, alpha spent over them after Lan and DeMets "
+      "({}), with exact binomial probabilities.",
+      listed(at), design.spending);
+}
+
 std::string analysis_plan(const StudyReport& report) {
   const StudyDesign& design = report.design;
   std::string text = fmt::format(
-      "Primary test, fixed in the protocol: exact binomial test of the number of correct "
-      "answers for each {} against 1/2 (paired comparison; alpha {}, {}). Intervals for "
-      "proportions are two-sided Clopper-Pearson intervals of {}.",
+      "Primary test, fixed in the protocol: {} of the number of correct answers for each {} against 1/2 "
+      "(paired "
+      "comparison; alpha {}, {}).{} Intervals for proportions are two-sided Clopper-Pearson intervals of {}.",
+      design.primary == "paired-comparison"
+          ? "exact binomial test"
+          : "exact randomisation test over the orders that could have been drawn (answers held fixed)",
       design.factors.empty() ? "cell" : "value of " + listed(design.factors), design.alpha,
-      design.side == "two-sided" ? "two-sided" : "one-sided: " + design.side,
+      design.side == "two-sided" ? "two-sided" : "one-sided: " + design.side, looks(design),
       short_percent(report.options.level));
   text +=
       " Secondary: a sign-flip permutation test of the examinees' proportions correct against 1/2, with an "
@@ -156,8 +170,8 @@ void add_test_limits(const StudyReport& report, std::vector<std::string>& limits
   double none = 1.0;  // probability that no test rejects when all is guessing
   long tested = 0;
   for (const CellResult& cell : report.cells) {
-    if (!cell.critical) continue;
-    none *= 1 - cell.critical->size;
+    if (!cell.primary) continue;
+    none *= 1 - cell.primary->critical.size;
     ++tested;
   }
   if (tested > 1) {

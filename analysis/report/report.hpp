@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/statistics/binomial_test.hpp"
-#include "analysis/statistics/critical_number.hpp"
+#include "analysis/report/primary_test.hpp"
 #include "analysis/statistics/dprime.hpp"
 #include "analysis/statistics/examinee_level.hpp"
 #include "analysis/statistics/interval_bias.hpp"
@@ -31,8 +30,7 @@ struct CellResult {
   std::string name{};
   long correct = 0, trials = 0, voided = 0;
   std::vector<ExamineeCount> by_examinee{};  // in the order of StudyReport::examinees; trials may be 0
-  std::optional<BinomialTest> pooled{};      // the primary test
-  std::optional<CriticalNumber> critical{};  // for the number of trials reached
+  std::optional<PrimaryTest> primary{};      // on all answers together
   std::optional<ExamineeLevelTest> by_people{};
   std::optional<DPrime> d_prime{};
   std::optional<IntervalBias> bias{};
@@ -76,8 +74,9 @@ struct StudyReport {
   std::vector<std::string> banners{};  // what must stand on every page; empty for a study with a device
   std::vector<std::string> summary{};  // in plain words, a paragraph each
   long planned_examinees = 0, complete_examinees = 0;
-  bool complete = false;  // the planned sample was reached
-  bool withheld = false;  // it was not, and no interim look was asked for: no test is in the report
+  bool complete = false;            // the planned sample was reached
+  std::optional<LookTaken> look{};  // where the protocol plans looks and one is due
+  bool withheld = false;            // incomplete, no look due and none asked for: no test is in the report
   std::vector<std::string> examinees{};
   std::vector<CellResult> cells{};
   std::vector<CellComparison> comparisons{};

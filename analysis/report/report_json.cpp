@@ -9,6 +9,26 @@ using nlohmann::ordered_json;
 
 namespace {
 
+ordered_json primary_json(const PrimaryTest& test) {
+  ordered_json look = nullptr;
+  if (test.look) {
+    look = {{"number", test.look->number}, {"of", test.look->of}, {"alpha_spent", test.look->spent}};
+  }
+  return {{"procedure", test.name == "paired-comparison" ? "binomial" : "randomisation"},
+          {"correct", test.correct},
+          {"trials", test.trials},
+          {"chance", test.chance},
+          {"side", name_of(test.side)},
+          {"proportion", test.proportion},
+          {"p", test.p.of(test.side)},
+          {"p_values", to_json(test.p)},
+          {"interval", to_json(test.interval)},
+          {"bound", to_json(test.bound)},
+          {"wilson", to_json(test.wilson)},
+          {"look", look},
+          {"method", to_json(test.method)}};
+}
+
 template <typename Result>
 ordered_json or_null(const std::optional<Result>& result) {
   return result ? to_json(*result) : ordered_json(nullptr);
@@ -37,6 +57,8 @@ ordered_json design_json(const StudyDesign& design) {
           {"alpha", design.alpha},
           {"side", design.side},
           {"between_models", design.between_models},
+          {"looks", design.looks},
+          {"spending", design.looks.empty() ? ordered_json(nullptr) : ordered_json(design.spending)},
           {"display_during_interval", design.display_during_interval}};
 }
 
@@ -47,20 +69,20 @@ ordered_json cell_json(const StudyReport& report, const CellResult& cell) {
                          {"correct", cell.by_examinee[i].correct},
                          {"trials", cell.by_examinee[i].trials}});
   }
-  const bool tested = cell.pooled && cell.critical;
-  return {
-      {"cell", cell.name},
-      {"correct", cell.correct},
-      {"trials", cell.trials},
-      {"voided", cell.voided},
-      {"significant", tested ? ordered_json(rejects(*cell.critical, cell.correct)) : ordered_json(nullptr)},
-      {"primary", or_null(cell.pooled)},
-      {"critical", or_null(cell.critical)},
-      {"examinee_level", or_null(cell.by_people)},
-      {"dprime", or_null(cell.d_prime)},
-      {"interval_order", or_null(cell.bias)},
-      {"median_response_time_s", or_null(cell.median_response_time_s)},
-      {"by_examinee", examinees}};
+  const bool tested = cell.primary.has_value();
+  return {{"cell", cell.name},
+          {"correct", cell.correct},
+          {"trials", cell.trials},
+          {"voided", cell.voided},
+          {"significant",
+           tested ? ordered_json(rejects(cell.primary->critical, cell.correct)) : ordered_json(nullptr)},
+          {"primary", tested ? primary_json(*cell.primary) : ordered_json(nullptr)},
+          {"critical", tested ? to_json(cell.primary->critical) : ordered_json(nullptr)},
+          {"examinee_level", or_null(cell.by_people)},
+          {"dprime", or_null(cell.d_prime)},
+          {"interval_order", or_null(cell.bias)},
+          {"median_response_time_s", or_null(cell.median_response_time_s)},
+          {"by_examinee", examinees}};
 }
 
 ordered_json comparison_json(const CellComparison& comparison) {

@@ -18,14 +18,14 @@ namespace {
 
 void validate_design(const StudyDesign& design) {
   if (design.task != "2IFC") refuse(fmt::format("task is '{}'; this version reports on: 2IFC", design.task));
-  if (design.primary != "paired-comparison") {
-    refuse(fmt::format("the primary test is '{}'; this version knows: paired-comparison", design.primary));
-  }
-  if (design.interval_order != "coin") {
+  const bool coin = design.interval_order == "coin" && design.primary == "paired-comparison";
+  const bool balanced = design.interval_order == "balanced" && design.primary == "order-randomisation";
+  if (!coin && !balanced) {
     refuse(
-        fmt::format("the order of intervals is '{}': the exact binomial test holds only for independent fair "
-                    "coin flips ('coin'), and this version has no test for other orders",
-                    design.interval_order));
+        fmt::format("the primary test is '{}' and the order of intervals '{}'; this version knows "
+                    "paired-comparison for independent coin flips ('coin') and order-randomisation for "
+                    "balanced orders ('balanced'): neither test holds for the other order",
+                    design.primary, design.interval_order));
   }
   if (design.between_models != "none" && design.between_models != "sign-flip" &&
       design.between_models != "wilcoxon") {

@@ -10,12 +10,16 @@ void write_sentences(const std::vector<std::string>& notes, StudyReport& report)
   const std::string people = simulated ? "simulated examinees" : "people";
   report.banners = banners(report);
   report.summary = summary(report);
+  const std::string why =
+      report.design.interval_order == "coin"
+          ? "A fair coin decided each order, so an answer that owes nothing to the stimulus is correct with "
+            "probability 1/2, whoever gives it and however often."
+          : "The orders were balanced and drawn at random, so for answers that owe nothing to the stimulus "
+            "every "
+            "order that could have been drawn is as likely as the one that was; the answers are held fixed.";
   report.pooled_claim =
-      "The pooled test asks whether anything but guessing is in the answers. A fair coin decided each order, "
-      "so an answer "
-      "that owes nothing to the stimulus is correct with probability 1/2, whoever gives it and however "
-      "often. A rejection "
-      "says that somebody told the conditions apart; it does not say how many do.";
+      "The pooled test asks whether anything but guessing is in the answers. " + why +
+      " A rejection says that somebody told the conditions apart; it does not say how many do.";
   report.people_claim =
       "The examinee-level test counts each examinee once. A rejection says that " + people +
       " like these answer better than by chance on the average; it does not say that every one of them does.";

@@ -10,9 +10,12 @@
 namespace palpate::analysis {
 namespace {
 
-std::string side_in_words(const StudyDesign& design) {
-  return fmt::format("alpha {}, {}", design.alpha,
-                     design.side == "two-sided" ? "two-sided" : "one-sided: " + design.side);
+std::string side_in_words(const StudyReport& report) {
+  const StudyDesign& design = report.design;
+  const std::string side = design.side == "two-sided" ? "two-sided" : "one-sided: " + design.side;
+  if (!report.look) return fmt::format("alpha {}, {}", design.alpha, side);
+  return fmt::format("look {} of {}, {} of alpha {} spent, {}", report.look->number, report.look->of,
+                     number(report.look->spent), design.alpha, side);
 }
 
 std::string told_apart(const StudyReport& report) {
@@ -22,10 +25,10 @@ std::string told_apart(const StudyReport& report) {
 
 // What a rejection says, in the direction in which it came.
 std::string rejection(const StudyReport& report, const CellResult& cell, const std::string& p) {
-  const bool better = cell.pooled->proportion > cell.pooled->chance;
+  const bool better = cell.primary->proportion > cell.primary->chance;
   const std::string who = report.run_mode == "simulated" ? "at least one simulated examinee" : "somebody";
   const std::string need = fmt::format("Guessing is rejected ({}), which takes {} ({})", p,
-                                       region_in_words(*cell.critical), side_in_words(report.design));
+                                       region_in_words(cell.primary->critical), side_in_words(report));
   if (better) return need + fmt::format(": {} {}.", who, told_apart(report));
   return need + fmt::format(
                     ": fewer answers are correct than guessing gives. So {} {} but named them the wrong way "
@@ -41,21 +44,21 @@ std::string beyond_the_plan(const StudyReport& report, const CellResult& cell) {
       " But the answers lie on the other side of chance, where the planned test does not look: so {} "
       "correct answers are hardly guesses either (two-sided {}, not planned; {} interval {}). The question "
       "may have been understood, or its answers coded, the wrong way round.",
-      greater ? "few" : "many", p_in_words(cell.pooled->p.two_sided),
-      short_percent(cell.pooled->interval.level), percent_range(cell.pooled->interval));
+      greater ? "few" : "many", p_in_words(cell.primary->p.two_sided),
+      short_percent(cell.primary->interval.level), percent_range(cell.primary->interval));
 }
 
 // Not rejected is not the same as not felt: say what remains possible.
 std::string no_rejection(const StudyReport& report, const CellResult& cell, const std::string& p) {
-  const std::string region = region_in_words(*cell.critical);
-  const std::string text =
-      region.empty() ? fmt::format("With {} no number of correct ones can reject guessing ({}).",
-                                   counted(cell.trials, "answer", "answers"), side_in_words(report.design))
-                     : fmt::format("Guessing is not rejected ({}), which would take {} ({}).", p, region,
-                                   side_in_words(report.design));
-  const Interval& interval = cell.pooled->interval;
-  const bool beyond = (report.design.side == "greater" && interval.upper < cell.pooled->chance) ||
-                      (report.design.side == "less" && interval.lower > cell.pooled->chance);
+  const std::string region = region_in_words(cell.primary->critical);
+  const std::string text = region.empty()
+                               ? fmt::format("With {} no number of correct ones can reject guessing ({}).",
+                                             counted(cell.trials, "answer", "answers"), side_in_words(report))
+                               : fmt::format("Guessing is not rejected ({}), which would take {} ({}).", p,
+                                             region, side_in_words(report));
+  const Interval& interval = cell.primary->interval;
+  const bool beyond = (report.design.side == "greater" && interval.upper < cell.primary->chance) ||
+                      (report.design.side == "less" && interval.lower > cell.primary->chance);
   if (beyond) return text + beyond_the_plan(report, cell);
   return text + fmt::format(
                     " This does not show that the difference cannot be {}: {} correct is compatible with the "
@@ -110,6 +113,13 @@ std::string sample_sentence(const StudyReport& report) {
   return text;
 }
 
+std::string looks_sentence(const StudyReport& report) {
+  std::vector<std::string> looks;
+  for (const int look : report.design.looks) looks.push_back(std::to_string(look));
+  return fmt::format("The protocol plans looks when exactly {} examinees are complete; none is due now.",
+                     listed(looks));
+}
+
 }  // namespace
 
 std::string examinees_word(const StudyReport& report, long count) {
@@ -129,6 +139,11 @@ std::string region_in_words(const CriticalNumber& critical) {
   return text.empty() ? text : text + fmt::format(" correct of {}", critical.trials);
 }
 
+std::string primary_in_words(const StudyDesign& design) {
+  return design.primary == "paired-comparison" ? "Exact binomial test"
+                                               : "Exact randomisation test over the balanced orders";
+}
+
 std::string points_range(const Interval& interval) {
   if (std::isnan(interval.lower) || std::isnan(interval.upper)) return "none";
   const double lower = std::max(-1.0, interval.lower), upper = std::min(1.0, interval.upper);
@@ -141,10 +156,10 @@ std::string cell_summary(const StudyReport& report, const CellResult& cell) {
       "{}: {} of {} {} correct ({}).", cell.name, cell.correct, counted(cell.trials, "answer", "answers"),
       cell.correct == 1 || cell.trials == 1 ? "was" : "were",
       percent(static_cast<double>(cell.correct) / static_cast<double>(cell.trials)));
-  if (!cell.pooled) return text;
-  const std::string p = p_in_words(cell.pooled->p.of(cell.pooled->side));
-  text += " " + (rejects(*cell.critical, cell.correct) ? rejection(report, cell, p)
-                                                       : no_rejection(report, cell, p));
+  if (!cell.primary) return text;
+  const std::string p = p_in_words(cell.primary->p.of(cell.primary->side));
+  text += " " + (rejects(cell.primary->critical, cell.correct) ? rejection(report, cell, p)
+                                                               : no_rejection(report, cell, p));
   return text + people_sentence(report, cell);
 }
 
@@ -196,7 +211,13 @@ std::vector<std::string> banners(const StudyReport& report) {
                     "results say nothing about touch and are never pooled with haptic ones.",
                     report.channel.empty() ? "a channel that the sessions do not name" : report.channel));
   }
-  if (!report.complete) {
+  if (!report.complete && report.look) {
+    banners.push_back(fmt::format(
+        "PLANNED LOOK {} of {}: {} of {} planned examinees are complete. The numbers of correct answers that "
+        "reject guessing are those of the alpha that this look may spend; p values and intervals do not know "
+        "of the looks.",
+        report.look->number, report.look->of, report.complete_examinees, report.planned_examinees));
+  } else if (!report.complete) {
     banners.push_back(fmt::format(
         "{}: {} of {} planned examinees are complete.{}", report.withheld ? "NOT COMPLETE" : "INTERIM LOOK",
         report.complete_examinees, report.planned_examinees,
@@ -215,6 +236,7 @@ std::vector<std::string> summary(const StudyReport& report) {
     paragraphs.push_back(comparison_summary(report, comparison));
   }
   if (report.withheld) {
+    if (!report.design.looks.empty()) paragraphs.push_back(looks_sentence(report));
     paragraphs.push_back(
         "Tests, critical numbers and intervals are withheld until the planned sample is complete, so "
         "that nobody can stop the study when it happens to look well. An interim look has to be asked "

@@ -20,6 +20,9 @@ std::string comparison_summary(const StudyReport& report, const CellComparison& 
 /// "37 or more of 60", "21 or fewer, or 39 or more of 60"; empty where no number is enough.
 std::string region_in_words(const CriticalNumber& critical);
 
+/// "Exact binomial test", "Exact randomisation test over the balanced orders".
+std::string primary_in_words(const StudyDesign& design);
+
 /// The interval of a difference of proportions in percentage points, cut to what a difference can be.
 std::string points_range(const Interval& interval);
 

@@ -46,24 +46,31 @@ TextTable primary_table(const StudyReport& report) {
         cell.name, of(cell.correct, cell.trials),
         cell.trials == 0 ? kNone
                          : percent(static_cast<double>(cell.correct) / static_cast<double>(cell.trials))};
-    if (cell.pooled) {
-      const std::string region = region_in_words(*cell.critical);
+    if (cell.primary) {
+      const std::string region = region_in_words(cell.primary->critical);
       row.push_back(region.empty() ? "no number" : region.substr(0, region.find(" correct")));
-      row.push_back(bare_p(cell.pooled->p.of(cell.pooled->side)));
-      row.push_back(percent_range(cell.pooled->interval));
-      if (report.design.side == "greater") row.push_back("at least " + percent(cell.pooled->bound.lower));
-      if (report.design.side == "less") row.push_back("at most " + percent(cell.pooled->bound.upper));
+      row.push_back(bare_p(cell.primary->p.of(cell.primary->side)));
+      row.push_back(percent_range(cell.primary->interval));
+      if (report.design.side == "greater") row.push_back("at least " + percent(cell.primary->bound.lower));
+      if (report.design.side == "less") row.push_back("at most " + percent(cell.primary->bound.upper));
     }
     row.resize(table.header.size(), report.withheld ? "withheld" : kNone);
     table.rows.push_back(row);
   }
-  table.note = fmt::format(
-      "Exact binomial test against 1/2, alpha {}, side {}. Intervals are two-sided "
-      "Clopper-Pearson intervals{}",
-      report.design.alpha, report.design.side,
-      one_sided ? "; the one-sided bound beside them is the one that belongs to the test, so a "
-                  "result may be significant though the two-sided interval just includes 50 %."
-                : ".");
+  table.note = fmt::format("{} against 1/2, alpha {}, side {}.", primary_in_words(report.design),
+                           report.design.alpha, report.design.side);
+  if (report.look && report.look->of > 1) {
+    table.note += fmt::format(" Look {} of {}: the region of rejection is that of {} spending.",
+                              report.look->number, report.look->of, report.design.spending);
+  }
+  table.note += " Intervals are two-sided Clopper-Pearson intervals";
+  if (report.design.primary != "paired-comparison") {
+    table.note += ", which take the answers for independent.";
+  } else {
+    table.note += one_sided ? "; the one-sided bound beside them is the one that belongs to the test, so a "
+                              "result may be significant though the two-sided interval just includes 50 %."
+                            : ".";
+  }
   return table;
 }
 

@@ -120,7 +120,8 @@ TEST(Observer, EveryPressGoesAnotherWay) {
 // Without tremor and drift the way in is d (10 t^3 - 15 t^4 + 6 t^5): half the depth at half the time.
 TEST(Observer, TheWayInHasTheLeastJerk) {
   Generator generator = make_generator(1, "hand");
-  const Observer observer = draw_observer(plain(), generator);
+  const ObserverParameters p = plain();
+  const Observer observer = draw_observer(p, generator);
   const auto path = plan_press(observer, sim::Vec3::UnitX(), generator);
   EXPECT_NEAR(path[300].x(), 2e-3, 1e-12);
   EXPECT_NEAR(path[150].x(), 4e-3 * (10.0 / 64 - 15.0 / 256 + 6.0 / 1024), 1e-12);

@@ -100,5 +100,42 @@ TEST(Plan, RedrawsTheIntervalsAndKeepsTheRest) {
   EXPECT_NEAR(changed, 100, 5 * std::sqrt(50.0));
 }
 
+Protocol balanced_protocol(int trials) {
+  Protocol protocol = test::small_protocol(trials);
+  protocol.interval_order = "balanced";
+  return protocol;
+}
+
+RC_GTEST_PROP(Plan, BalancesTheOrdersWithinEachCell, (std::uint64_t seed)) {
+  const Protocol protocol = balanced_protocol(2 * *rc::gen::inRange(1, 15));
+  std::map<std::size_t, int> first;
+  for (const Trial& trial : plan_for(protocol, seed))
+    first[trial.cell] += trial.correct_interval == 1 ? 1 : 0;
+  for (std::size_t cell = 0; cell < protocol.cells.size(); ++cell)
+    RC_ASSERT(2 * first[cell] == protocol.trials_per_examinee_per_cell);
+}
+
+TEST(Plan, DrawsEveryBalancedOrderEquallyOften) {
+  const Protocol protocol = balanced_protocol(4);
+  std::map<std::vector<int>, int> count;  // of the first cell: 6 orders
+  for (int seed = 0; seed < kSeeds; ++seed) {
+    std::vector<int> order;
+    for (const Trial& trial : plan_for(protocol, static_cast<std::uint64_t>(seed)))
+      if (trial.cell == 0) order.push_back(trial.correct_interval);
+    ++count[order];
+  }
+  ASSERT_EQ(count.size(), 6U);
+  for (const auto& [order, times] : count) EXPECT_NEAR(times, kSeeds / 6, 5 * std::sqrt(kSeeds * 5.0 / 36));
+}
+
+TEST(Plan, KeepsABalancedOrderWhenATrialIsInterrupted) {
+  const Protocol protocol = balanced_protocol(4);
+  const Trial before = plan_for(protocol, 1)[3];
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    Generator generator = make_generator(seed, "again");
+    EXPECT_EQ(redraw(protocol, before, generator), before);
+  }
+}
+
 }  // namespace
 }  // namespace palpate::trials

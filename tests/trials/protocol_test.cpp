@@ -120,6 +120,36 @@ TEST(Protocol, ImpossiblePlansAreRefused) {
               HasSubstr("between_models: compares two cells"));
 }
 
+// Each way of drawing the order has the test that holds for it.
+TEST(Protocol, TheOrderAndItsTestMustFit) {
+  EXPECT_THAT(refusal_with("\"coin\"", "\"balanced\""),
+              AllOf(HasSubstr("analysis.primary"), HasSubstr("holds for coin flips only"),
+                    HasSubstr("\"order-randomisation\"")));
+  EXPECT_THAT(refusal_with("\"paired-comparison\"", "\"order-randomisation\""),
+              AllOf(HasSubstr("analysis.primary"), HasSubstr("is for balanced orders")));
+  const std::string balanced = test::with(test::with(test::shipped_text(), "\"coin\"", "\"balanced\""),
+                                          "\"paired-comparison\"", "\"order-randomisation\"");
+  EXPECT_EQ(parse_protocol(balanced, "p.toml").interval_order, "balanced");
+  EXPECT_THAT(refusal_of(test::with(balanced, "per_cell = 4", "per_cell = 5")),
+              AllOf(HasSubstr("order.interval"), HasSubstr("5 trials of a cell cannot be halved")));
+}
+
+TEST(Protocol, PlannedLooksAscendToThePlannedSample) {
+  const auto with_looks = [](const std::string& looks) {
+    return test::with(test::shipped_text(), "alpha          = 0.05", "alpha = 0.05\n" + looks);
+  };
+  const Protocol protocol =
+      parse_protocol(with_looks("looks = [5, 10, 15]\nspending = \"pocock\""), "p.toml");
+  EXPECT_EQ(protocol.analysis.looks, (std::vector<int>{5, 10, 15}));
+  EXPECT_EQ(protocol.analysis.spending, "pocock");
+  EXPECT_THAT(refusal_of(with_looks("looks = [5, 5, 15]")), HasSubstr("accepted: ascending numbers"));
+  EXPECT_THAT(refusal_of(with_looks("looks = [5, 16]")), HasSubstr("at most the 15 planned"));
+  EXPECT_THAT(refusal_of(with_looks("looks = [5, 10]")), HasSubstr("ends with 10"));
+  EXPECT_THAT(refusal_of(with_looks("looks = [15]")), HasSubstr("analysis.spending"));
+  EXPECT_THAT(refusal_of(with_looks("looks = [15]\nspending = \"haybittle\"")),
+              HasSubstr("obrien-fleming, pocock"));
+}
+
 TEST(Protocol, WhatTheSceneDoesNotTakeIsRefusedWithItsLine) {
   EXPECT_THAT(refusal_with("\"sibille\"]", "\"sybille\"]"),
               AllOf(StartsWith("p.toml:13: factors.\"contact.model\""), HasSubstr("sybille")));
@@ -143,7 +173,7 @@ TEST(Protocol, ConditionsAndLevelsThatFeelAlikeAreRefused) {
 
 TEST(Protocol, WhatTheDesignKnowsButThisVersionDoesNot) {
   for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
-           {"\"2IFC\"", "\"ABX\""}, {"\"constant\"", "\"staircase\""}, {"\"coin\"", "\"balanced\""}})
+           {"\"2IFC\"", "\"ABX\""}, {"\"constant\"", "\"staircase\""}, {"\"shuffled\"", "\"blocked\""}})
     EXPECT_THAT(refusal_with(from, to), HasSubstr("which is not in this version")) << to;
   EXPECT_THAT(refusal_with("\"2IFC\"", "\"3IFC\""), Not(HasSubstr("not in this version")));
 }

@@ -38,12 +38,12 @@ TEST(Analyse, CountsWhatThePaperCounts) {
   EXPECT_EQ(report.cells[0].correct, 52);
   EXPECT_EQ(report.cells[1].correct, 31);
   EXPECT_EQ(report.cells[0].trials, 60);
-  EXPECT_EQ(report.cells[0].critical->at_least, 37);  // Kuroda et al. 2003, section 5.2
-  EXPECT_TRUE(rejects(*report.cells[0].critical, 52));
-  EXPECT_FALSE(rejects(*report.cells[1].critical, 31));
+  EXPECT_EQ(report.cells[0].primary->critical.at_least, 37);  // Kuroda et al. 2003, section 5.2
+  EXPECT_TRUE(rejects(report.cells[0].primary->critical, 52));
+  EXPECT_FALSE(rejects(report.cells[1].primary->critical, 31));
   // R 4.2: binom.test(52, 60, alternative = "greater")$p.value, (31, 60)
-  EXPECT_NEAR(report.cells[0].pooled->p.greater / 2.60284573668641e-09, 1, 1e-10);
-  EXPECT_NEAR(report.cells[1].pooled->p.greater, 0.448710913495715, 1e-12);
+  EXPECT_NEAR(report.cells[0].primary->p.greater / 2.60284573668641e-09, 1, 1e-10);
+  EXPECT_NEAR(report.cells[1].primary->p.greater, 0.448710913495715, 1e-12);
   EXPECT_TRUE(report.complete);
   EXPECT_TRUE(report.banners.empty());
 }
@@ -77,14 +77,14 @@ TEST(Analyse, WithholdsTestsUntilThePlannedSampleIsComplete) {
   correct.resize(14);
   const StudyReport report = analyse(test::study_table(correct));
   EXPECT_TRUE(report.withheld);
-  EXPECT_FALSE(report.cells[0].pooled || report.cells[0].critical || report.cells[0].by_people ||
-               report.cells[0].d_prime || report.cells[0].bias);
+  EXPECT_FALSE(report.cells[0].primary || report.cells[0].by_people || report.cells[0].d_prime ||
+               report.cells[0].bias);
   EXPECT_FALSE(report.comparisons[0].sign_flip || report.comparisons[0].signed_rank);
   for (const std::string& sentence : report.summary) EXPECT_THAT(sentence, Not(HasSubstr("p =")));
   EXPECT_THAT(report.banners, Contains(HasSubstr("14 of 15 planned examinees")));
   const StudyReport look = analyse(test::study_table(correct), {.interim = true});
   EXPECT_FALSE(look.withheld);
-  EXPECT_TRUE(look.cells[0].pooled.has_value());
+  EXPECT_TRUE(look.cells[0].primary.has_value());
   EXPECT_THAT(look.banners, Contains(HasSubstr("INTERIM LOOK")));
 }
 
@@ -119,10 +119,10 @@ TEST(Analyse, NeverPoolsWhatWasPresentedDifferently) {
 TEST(Analyse, RefusesDesignsThatTheBinomialDoesNotHoldFor) {
   StudyTable table = test::study_table(test::like_the_paper());
   table.design.interval_order = "balanced";
-  EXPECT_THAT(message([&] { analyse(table); }), HasSubstr("holds only for independent fair coin flips"));
+  EXPECT_THAT(message([&] { analyse(table); }), HasSubstr("neither test holds for the other order"));
   table = test::study_table(test::like_the_paper());
   table.design.primary = "glmm";
-  EXPECT_THAT(message([&] { analyse(table); }), HasSubstr("this version knows: paired-comparison"));
+  EXPECT_THAT(message([&] { analyse(table); }), HasSubstr("this version knows paired-comparison"));
   table = test::study_table(test::like_the_paper());
   table.trials[0].correct = !*table.trials[0].correct;
   EXPECT_THAT(message([&] { analyse(table); }), HasSubstr("session 1, trial 1"));
@@ -203,4 +203,53 @@ TEST(Sentences, CallSimulatedAndPseudoHapticByTheirNames) {
       pseudo.banners,
       Contains(HasSubstr("no force reached the hand. The stimulus was carried by the pointer's lag")));
   for (const std::string& sentence : pseudo.summary) EXPECT_THAT(sentence, Not(HasSubstr("be felt")));
+}
+
+// Where the orders are balanced, whoever always answers "1" is right in half of the trials, whatever is felt;
+// and the p value is that of the randomisation test, not of the binomial.
+TEST(Analyse, TestsBalancedOrdersByRandomisation) {
+  StudyTable table = test::study_table(test::like_the_paper());  // two of four trials with the hard one first
+  table.design.interval_order = "balanced";
+  table.design.primary = "order-randomisation";
+  const StudyReport report = analyse(table);
+  EXPECT_EQ(report.cells[0].primary->name, "order-randomisation");
+  EXPECT_THAT(report.cells[0].primary->method.name,
+              HasSubstr("randomisation test over the admissible orders"));
+  EXPECT_LT(report.cells[0].primary->p.greater, 1e-6);
+  for (TrialRow& trial : table.trials) {
+    trial.response = "1";
+    trial.correct = trial.correct_answer == "1";
+  }
+  const StudyReport always_first = analyse(table);
+  EXPECT_EQ(always_first.cells[0].correct, 30);
+  EXPECT_EQ(always_first.cells[0].primary->p.greater, 1.0);
+  EXPECT_EQ(always_first.cells[0].primary->p.two_sided, 1.0);
+}
+
+static StudyTable with_looks(std::size_t examinees) {
+  auto correct = test::like_the_paper();
+  correct.resize(examinees);
+  StudyTable table = test::study_table(correct);
+  table.design.looks = {5, 10, 15};
+  table.design.spending = "obrien-fleming";
+  return table;
+}
+
+// At a planned look the tests are shown without --interim, with the number that the alpha spent so far
+// allows.
+TEST(Analyse, OpensAtAPlannedLookAndOnlyThen) {
+  const StudyReport first = analyse(with_looks(5));
+  EXPECT_FALSE(first.withheld);
+  ASSERT_TRUE(first.look);
+  EXPECT_EQ(first.look->number, 1);
+  // P(X >= 18 of 20) = 0.000201, P(X >= 17) = 0.00129; 2 - 2 Phi(z(0.975)/sqrt(1/3)) = 0.000687 may be spent.
+  EXPECT_EQ(first.cells[0].primary->critical.at_least, 18);
+  EXPECT_THAT(first.banners, testing::Contains(HasSubstr("PLANNED LOOK 1 of 3: 5 of 15")));
+  const StudyReport between = analyse(with_looks(7));
+  EXPECT_TRUE(between.withheld);
+  EXPECT_FALSE(between.look);
+  EXPECT_THAT(between.summary, testing::Contains(HasSubstr("looks when exactly 5, 10 and 15 examinees")));
+  const StudyReport last = analyse(with_looks(15));
+  EXPECT_EQ(last.look->number, 3);
+  EXPECT_GE(last.cells[0].primary->critical.at_least, 37);  // no less than without looks
 }

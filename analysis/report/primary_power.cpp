@@ -1,0 +1,140 @@
+#include "analysis/report/primary_power.hpp"
+
+#include <fmt/core.h>
+
+#include <boost/math/special_functions/beta.hpp>
+#include <boost/math/special_functions/binomial.hpp>
+#include <boost/random/beta_distribution.hpp>
+#include <boost/random/binomial_distribution.hpp>
+#include <boost/random/mersenne_twister.hpp>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+#include "analysis/report/primary_test.hpp"
+#include "analysis/statistics/binomial_power.hpp"
+
+namespace palpate::analysis {
+namespace {
+
+constexpr long kStudies = 10'000;
+
+/// Parameters of the beta distribution of the examinees' probabilities.
+struct Spread {
+  double a = 0.0, b = 0.0;
+};
+
+Spread spread_of(const Power& asked) {
+  const double sum = 1 / asked.overdispersion - 1;
+  return {.a = asked.probability * sum, .b = (1 - asked.probability) * sum};
+}
+
+/// Probability of 0, 1, ... n correct answers of one examinee.
+std::vector<double> of_one_examinee(long n, const Power& asked) {
+  std::vector<double> share;
+  const double trials = static_cast<double>(n);
+  for (long k = 0; k <= n; ++k) {
+    const double right = static_cast<double>(k);
+    const double ways =
+        boost::math::binomial_coefficient<double>(static_cast<unsigned>(n), static_cast<unsigned>(k));
+    if (asked.overdispersion == 0.0) {
+      share.push_back(ways * std::pow(asked.probability, right) *
+                      std::pow(1 - asked.probability, trials - right));
+    } else {
+      const auto [a, b] = spread_of(asked);
+      share.push_back(ways * boost::math::beta(right + a, trials - right + b) / boost::math::beta(a, b));
+    }
+  }
+  return share;
+}
+
+std::vector<double> with_one_more(const std::vector<double>& now, const std::vector<double>& one) {
+  std::vector<double> sum(now.size() + one.size() - 1, 0.0);
+  for (std::size_t i = 0; i < now.size(); ++i)
+    for (std::size_t j = 0; j < one.size(); ++j) sum[i + j] += now[i] * one[j];
+  return sum;
+}
+
+std::vector<CriticalNumber> regions(const StudyDesign& design) {
+  const long each = design.trials_per_examinee_per_cell;
+  const Side side = side_from_name(design.side);
+  if (design.looks.empty())
+    return {critical_number(each * design.planned_examinees, 0.5, design.alpha, side)};
+  std::vector<long> trials;
+  for (const int look : design.looks) trials.push_back(each * look);
+  std::vector<CriticalNumber> all;
+  for (const PlannedLook& look :
+       planned_looks(trials, 0.5, design.alpha, side, spending_from_name(design.spending)))
+    all.push_back(look.critical);
+  return all;
+}
+
+/// Probability that the number correct enters a region of rejection at some look.
+double exact_power(const StudyDesign& design, const Power& asked) {
+  const long each = design.trials_per_examinee_per_cell;
+  const std::vector<double> one = of_one_examinee(each, asked);
+  std::vector<double> going_on = {1.0};
+  double rejected = 0.0;
+  for (const CriticalNumber& region : regions(design)) {
+    while (static_cast<long>(going_on.size()) <= region.trials) going_on = with_one_more(going_on, one);
+    for (std::size_t k = 0; k < going_on.size(); ++k) {
+      if (!rejects(region, static_cast<long>(k))) continue;
+      rejected += going_on[k];
+      going_on[k] = 0.0;
+    }
+  }
+  return rejected;
+}
+
+/// One sitting with half of the trials in either order.
+OrderStratum balanced_sitting(long trials, double probability, boost::random::mt19937_64& random) {
+  const long first = trials / 2;
+  boost::random::binomial_distribution<long> right_first(first, probability),
+      right_second(trials - first, probability);
+  const long a = right_first(random), b = right_second(random);
+  return {
+      .trials = trials, .correct_first = first, .answers_first = a + (trials - first - b), .correct = a + b};
+}
+
+double simulated_power(const StudyDesign& design, const Power& asked, std::uint64_t seed) {
+  boost::random::mt19937_64 random(seed);
+  const auto [a, b] = asked.overdispersion > 0 ? spread_of(asked) : Spread{1, 1};
+  boost::random::beta_distribution<> people(a, b);
+  long found = 0;
+  std::vector<OrderStratum> sittings(static_cast<std::size_t>(design.planned_examinees));
+  for (long study = 0; study < kStudies; ++study) {
+    for (OrderStratum& sitting : sittings) {
+      const double p = asked.overdispersion > 0 ? people(random) : asked.probability;
+      sitting = balanced_sitting(design.trials_per_examinee_per_cell, p, random);
+    }
+    const auto test = order_randomisation_test(sittings, design.alpha, side_from_name(design.side));
+    found += rejects(test.critical, test.correct) ? 1 : 0;
+  }
+  return static_cast<double>(found) / static_cast<double>(kStudies);
+}
+
+}  // namespace
+
+Power primary_power(const StudyDesign& design, double probability, double overdispersion,
+                    std::uint64_t seed) {
+  require_level(probability, "probability");
+  if (!(overdispersion >= 0 && overdispersion < 1)) {
+    throw std::invalid_argument(
+        fmt::format("overdispersion is {}; accepted: from 0 (all alike) to below 1", overdispersion));
+  }
+  if (design.trials_per_examinee_per_cell < 1 || design.planned_examinees < 1) {
+    throw std::invalid_argument(
+        "the protocol does not fix how many trials an examinee answers: no power can be told");
+  }
+  Power power{.probability = probability, .overdispersion = overdispersion};
+  if (design.interval_order == "coin") {
+    power.power = exact_power(design, power);
+    return power;
+  }
+  power.studies = kStudies;
+  power.power = simulated_power(design, power, seed);
+  power.standard_error = std::sqrt(power.power * (1 - power.power) / static_cast<double>(kStudies));
+  return power;
+}
+
+}  // namespace palpate::analysis

@@ -1,0 +1,79 @@
+#include "analysis/report/primary_test.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/binomial.hpp>
+
+namespace palpate::analysis {
+namespace {
+
+constexpr double kChance = 0.5;  // of two intervals
+
+std::vector<double> guesses(long trials) {
+  const boost::math::binomial_distribution<> distribution(static_cast<double>(trials), kChance);
+  std::vector<double> probability;
+  for (long k = 0; k <= trials; ++k)
+    probability.push_back(boost::math::pdf(distribution, static_cast<double>(k)));
+  return probability;
+}
+
+CriticalNumber critical_at(const StudyDesign& design, const LookTaken& look, long trials, Side side) {
+  std::vector<long> counts;
+  for (int i = 0; i + 1 < look.number; ++i) {
+    const long planned =
+        long{design.looks[static_cast<std::size_t>(i)]} * design.trials_per_examinee_per_cell;
+    if (planned < trials) counts.push_back(planned);
+  }
+  counts.push_back(trials);
+  const std::size_t now = counts.size() - 1;
+  const long whole = long{design.planned_examinees} * design.trials_per_examinee_per_cell;
+  if (look.number < look.of) counts.push_back(std::max(whole, trials + 1));
+  return planned_looks(counts, kChance, design.alpha, side, spending_from_name(design.spending))[now]
+      .critical;
+}
+
+}  // namespace
+
+std::optional<LookTaken> look_due(const StudyDesign& design, long complete) {
+  const auto looks = static_cast<int>(design.looks.size());
+  for (int i = 0; i < looks; ++i) {
+    const long at = design.looks[static_cast<std::size_t>(i)];
+    const bool last = i + 1 == looks;
+    if (complete != at && !(last && complete > at)) continue;
+    const double share = static_cast<double>(at) / static_cast<double>(design.planned_examinees);
+    return LookTaken{.number = i + 1,
+                     .of = looks,
+                     .spent = spent(spending_from_name(design.spending), design.alpha, share)};
+  }
+  return std::nullopt;
+}
+
+PrimaryTest primary_test(const StudyDesign& design, std::span<const OrderStratum> sittings, double level,
+                         const std::optional<LookTaken>& look) {
+  PrimaryTest test{
+      .name = design.primary, .chance = kChance, .side = side_from_name(design.side), .look = look};
+  for (const OrderStratum& sitting : sittings) {
+    test.correct += sitting.correct;
+    test.trials += sitting.trials;
+  }
+  const BinomialTest binomial = binomial_test(test.correct, test.trials, kChance, test.side, level);
+  test.proportion = binomial.proportion;
+  test.interval = binomial.interval;
+  test.bound = binomial.bound;
+  test.wilson = binomial.wilson;
+  if (design.primary == "order-randomisation") {
+    const OrderRandomisationTest random = order_randomisation_test(sittings, design.alpha, test.side);
+    test.p = random.p;
+    test.critical = random.critical;
+    test.under_guessing = random.under_guessing;
+    test.method = random.method;
+    return test;
+  }
+  test.p = binomial.p;
+  test.under_guessing = guesses(test.trials);
+  test.method = binomial.method;
+  test.critical = look ? critical_at(design, *look, test.trials, test.side)
+                       : critical_number(test.trials, kChance, design.alpha, test.side);
+  return test;
+}
+
+}  // namespace palpate::analysis
