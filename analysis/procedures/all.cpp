@@ -9,13 +9,16 @@ namespace palpate::analysis {
 
 const std::vector<Procedure>& procedures() {
   static const std::vector<Procedure> all = {
-      binomial_procedure(),     //
-      critical_procedure(),     //
-      dprime_procedure(),       //
-      mcnemar_procedure(),      //
-      permutation_procedure(),  //
-      sign_procedure(),         //
-      wilcoxon_procedure(),     //
+      binomial_procedure(),       //
+      critical_procedure(),       //
+      dprime_procedure(),         //
+      looks_procedure(),          //
+      mcnemar_procedure(),        //
+      permutation_procedure(),    //
+      power_procedure(),          //
+      randomisation_procedure(),  //
+      sign_procedure(),           //
+      wilcoxon_procedure(),       //
   };
   return all;
 }

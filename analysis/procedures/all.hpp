@@ -9,8 +9,11 @@ namespace palpate::analysis {
 Procedure binomial_procedure();
 Procedure critical_procedure();
 Procedure dprime_procedure();
+Procedure looks_procedure();
 Procedure mcnemar_procedure();
 Procedure permutation_procedure();
+Procedure power_procedure();
+Procedure randomisation_procedure();
 Procedure sign_procedure();
 Procedure wilcoxon_procedure();
 

@@ -45,13 +45,7 @@ Procedure critical_procedure() {
               "The smallest number of correct answers that guessing reaches with a probability of at "
               "most alpha, and how large that probability really is. Kuroda et al. 2003, 60 answers per "
               "model: 37.",
-          .inputs = {trials_input(),
-                     chance_input(),
-                     {.name = "alpha",
-                      .kind = Input::Kind::Fraction,
-                      .meaning = "Largest probability of rejecting what is only guessing",
-                      .usual = "0.05"},
-                     side_input("greater")},
+          .inputs = {trials_input(), chance_input(), alpha_input(), side_input("greater")},
           .outputs = {{"trials", "All answers"},
                       {"chance", "Probability of a correct guess"},
                       {"alpha", "Largest probability of a false rejection"},

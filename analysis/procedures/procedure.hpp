@@ -46,6 +46,7 @@ const Procedure& procedure_named(std::string_view name);
 Input correct_input();
 Input trials_input();
 Input chance_input();                           // 1/2 unless given
+Input alpha_input();                            // 0.05 unless given
 Input side_input(const std::string& usual);     // "greater", "less", "two-sided"
 Input level_input();                            // 0.95 unless given
 Input seed_input();                             // 1 unless given

@@ -17,6 +17,13 @@ Input chance_input() {
       .name = "chance", .kind = Kind::Fraction, .meaning = "Probability of a correct guess", .usual = "1/2"};
 }
 
+Input alpha_input() {
+  return {.name = "alpha",
+          .kind = Kind::Fraction,
+          .meaning = "Largest probability of rejecting what is only guessing",
+          .usual = "0.05"};
+}
+
 Input side_input(const std::string& usual) {
   return {.name = "side",
           .kind = Kind::Choice,

@@ -2,8 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <boost/math/special_functions/beta.hpp>
-#include <boost/math/special_functions/binomial.hpp>
 #include <boost/random/beta_distribution.hpp>
 #include <boost/random/binomial_distribution.hpp>
 #include <boost/random/mersenne_twister.hpp>
@@ -12,7 +10,7 @@
 #include <vector>
 
 #include "analysis/report/primary_test.hpp"
-#include "analysis/statistics/binomial_power.hpp"
+#include "analysis/statistics/counts_distribution.hpp"
 
 namespace palpate::analysis {
 namespace {
@@ -27,32 +25,6 @@ struct Spread {
 Spread spread_of(const Power& asked) {
   const double sum = 1 / asked.overdispersion - 1;
   return {.a = asked.probability * sum, .b = (1 - asked.probability) * sum};
-}
-
-/// Probability of 0, 1, ... n correct answers of one examinee.
-std::vector<double> of_one_examinee(long n, const Power& asked) {
-  std::vector<double> share;
-  const double trials = static_cast<double>(n);
-  for (long k = 0; k <= n; ++k) {
-    const double right = static_cast<double>(k);
-    const double ways =
-        boost::math::binomial_coefficient<double>(static_cast<unsigned>(n), static_cast<unsigned>(k));
-    if (asked.overdispersion == 0.0) {
-      share.push_back(ways * std::pow(asked.probability, right) *
-                      std::pow(1 - asked.probability, trials - right));
-    } else {
-      const auto [a, b] = spread_of(asked);
-      share.push_back(ways * boost::math::beta(right + a, trials - right + b) / boost::math::beta(a, b));
-    }
-  }
-  return share;
-}
-
-std::vector<double> with_one_more(const std::vector<double>& now, const std::vector<double>& one) {
-  std::vector<double> sum(now.size() + one.size() - 1, 0.0);
-  for (std::size_t i = 0; i < now.size(); ++i)
-    for (std::size_t j = 0; j < one.size(); ++j) sum[i + j] += now[i] * one[j];
-  return sum;
 }
 
 std::vector<CriticalNumber> regions(const StudyDesign& design) {
@@ -72,11 +44,11 @@ std::vector<CriticalNumber> regions(const StudyDesign& design) {
 /// Probability that the number correct enters a region of rejection at some look.
 double exact_power(const StudyDesign& design, const Power& asked) {
   const long each = design.trials_per_examinee_per_cell;
-  const std::vector<double> one = of_one_examinee(each, asked);
+  const std::vector<double> one = beta_binomial_counts(each, asked.probability, asked.overdispersion);
   std::vector<double> going_on = {1.0};
   double rejected = 0.0;
   for (const CriticalNumber& region : regions(design)) {
-    while (static_cast<long>(going_on.size()) <= region.trials) going_on = with_one_more(going_on, one);
+    while (static_cast<long>(going_on.size()) <= region.trials) going_on = convolve(going_on, one);
     for (std::size_t k = 0; k < going_on.size(); ++k) {
       if (!rejects(region, static_cast<long>(k))) continue;
       rejected += going_on[k];

@@ -1,20 +1,13 @@
 #include "analysis/report/primary_test.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/binomial.hpp>
+
+#include "analysis/statistics/counts_distribution.hpp"
 
 namespace palpate::analysis {
 namespace {
 
 constexpr double kChance = 0.5;  // of two intervals
-
-std::vector<double> guesses(long trials) {
-  const boost::math::binomial_distribution<> distribution(static_cast<double>(trials), kChance);
-  std::vector<double> probability;
-  for (long k = 0; k <= trials; ++k)
-    probability.push_back(boost::math::pdf(distribution, static_cast<double>(k)));
-  return probability;
-}
 
 CriticalNumber critical_at(const StudyDesign& design, const LookTaken& look, long trials, Side side) {
   std::vector<long> counts;
@@ -69,7 +62,7 @@ PrimaryTest primary_test(const StudyDesign& design, std::span<const OrderStratum
     return test;
   }
   test.p = binomial.p;
-  test.under_guessing = guesses(test.trials);
+  test.under_guessing = binomial_counts(test.trials, kChance);
   test.method = binomial.method;
   test.critical = look ? critical_at(design, *look, test.trials, test.side)
                        : critical_number(test.trials, kChance, design.alpha, test.side);

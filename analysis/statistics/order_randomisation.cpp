@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <boost/math/distributions/hypergeometric.hpp>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
+
+#include "analysis/statistics/counts_distribution.hpp"
 
 namespace palpate::analysis {
 namespace {
@@ -39,13 +40,6 @@ std::vector<double> of_stratum(const OrderStratum& s) {
     probability[static_cast<std::size_t>(correct)] = boost::math::pdf(both, count(a));
   }
   return probability;
-}
-
-std::vector<double> convolve(const std::vector<double>& a, const std::vector<double>& b) {
-  std::vector<double> sum(a.size() + b.size() - 1, 0.0);
-  for (std::size_t i = 0; i < a.size(); ++i)
-    for (std::size_t j = 0; j < b.size(); ++j) sum[i + j] += a[i] * b[j];
-  return sum;
 }
 
 constexpr double kAlike = 1e-7;  // relative: probabilities this close count as equal, as in binomial_test()

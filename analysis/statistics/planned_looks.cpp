@@ -3,11 +3,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+
+#include "analysis/statistics/counts_distribution.hpp"
 
 namespace palpate::analysis {
 namespace {
@@ -26,17 +27,6 @@ void validate(std::span<const long> trials, double chance, double alpha, Side si
         "look {} comes after {} answers; accepted: more than at the look before", i + 1, trials[i]));
   }
   if (trials.empty()) throw std::invalid_argument("no look; accepted: one or more");
-}
-
-/// Distribution of the number correct after `more` further guesses.
-std::vector<double> go_on(const std::vector<double>& now, long more, double chance) {
-  const boost::math::binomial_distribution<> guesses(static_cast<double>(more), chance);
-  std::vector<double> step(static_cast<std::size_t>(more) + 1);
-  for (std::size_t k = 0; k < step.size(); ++k) step[k] = boost::math::pdf(guesses, static_cast<double>(k));
-  std::vector<double> later(now.size() + step.size() - 1, 0.0);
-  for (std::size_t i = 0; i < now.size(); ++i)
-    for (std::size_t j = 0; j < step.size(); ++j) later[i + j] += now[i] * step[j];
-  return later;
 }
 
 }  // namespace
@@ -68,7 +58,7 @@ std::vector<PlannedLook> planned_looks(std::span<const long> trials, double chan
   double used = 0.0;
   long before = 0;
   for (const long n : trials) {
-    going_on = go_on(going_on, n - before, success);
+    going_on = convolve(going_on, binomial_counts(n - before, success));
     before = n;
     const double may_be_spent =
         spent(spending, alpha, static_cast<double>(n) / static_cast<double>(trials.back()));

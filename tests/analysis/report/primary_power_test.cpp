@@ -32,8 +32,8 @@ TEST(PrimaryPower, FallsWhenExamineesDiffer) {
   EXPECT_LT(primary_power(design(), 0.7, 0.2).power, primary_power(design(), 0.7).power);
 }
 
-// Looks after O'Brien and Fleming cost next to nothing: the number for the end is still 37, and early rejections use
-// what the discrete test at the end leaves of alpha.
+// Looks after O'Brien and Fleming cost next to nothing: the number for the end is still 37, and early
+// rejections use what the discrete test at the end leaves of alpha.
 TEST(PrimaryPower, KnowsOfPlannedLooks) {
   StudyDesign looks = design();
   looks.looks = {5, 10, 15};

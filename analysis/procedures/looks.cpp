@@ -1,0 +1,78 @@
+#include <fmt/core.h>
+
+#include "analysis/procedures/all.hpp"
+#include "analysis/procedures/phrases.hpp"
+#include "analysis/statistics/planned_looks.hpp"
+#include "analysis/statistics/to_json.hpp"
+#include "analysis/words.hpp"
+
+namespace palpate::analysis {
+namespace {
+
+std::string region(const CriticalNumber& critical) {
+  if (critical.at_least) return fmt::format("{} or more correct reject", *critical.at_least);
+  if (critical.at_most) return fmt::format("{} or fewer correct reject", *critical.at_most);
+  return "no number rejects";
+}
+
+Outcome run(const Arguments& asked) {
+  const std::vector<long> trials = asked.counts("trials");
+  const auto looks = planned_looks(trials, asked.number("chance"), asked.number("alpha"), asked.side(),
+                                   spending_from_name(asked.text("spending")));
+  Outcome outcome;
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const PlannedLook& look : looks) {
+    rows.push_back(
+        {{"trials", look.critical.trials},
+         {"alpha_spent", look.critical.alpha},
+         {"at_least", look.critical.at_least ? nlohmann::ordered_json(*look.critical.at_least) : nullptr},
+         {"at_most", look.critical.at_most ? nlohmann::ordered_json(*look.critical.at_most) : nullptr},
+         {"rejected_by_now", look.size}});
+    outcome.text +=
+        fmt::format("{} answers: {} (alpha spent {}; guessers rejected by now {})\n", look.critical.trials,
+                    region(look.critical), number(look.critical.alpha), number(look.size));
+  }
+  outcome.text += method_line(looks.back().critical.method);
+  outcome.json = {{"procedure", "looks"},
+                  {"looks", rows},
+                  {"size", looks.back().size},
+                  {"method", to_json(looks.back().critical.method)}};
+  return outcome;
+}
+
+}  // namespace
+
+Procedure looks_procedure() {
+  return {
+      .name = "looks",
+      .question = "How many correct answers are needed when there are looks on the way?",
+      .title = "exact binomial test at planned looks",
+      .teaches =
+          "Whoever looks at the answers several times and stops when they are significant rejects guessing "
+          "too often. "
+          "With looks planned beforehand, alpha is spent over them: obrien-fleming hardly anything early, "
+          "pocock evenly. "
+          "Exact binomial probabilities; alpha that whole numbers leave unspent is carried on. One-sided.",
+      .inputs = {{.name = "trials",
+                  .kind = Input::Kind::Counts,
+                  .meaning = "Answers that are in at each look"},
+                 chance_input(),
+                 alpha_input(),
+                 {.name = "side",
+                  .kind = Input::Kind::Choice,
+                  .meaning = "Alternative, decided beforehand",
+                  .usual = "greater",
+                  .choices = {"greater", "less"}},
+                 {.name = "spending",
+                  .kind = Input::Kind::Choice,
+                  .meaning = "How alpha is spent",
+                  .usual = "obrien-fleming",
+                  .choices = {"obrien-fleming", "pocock"}}},
+      .outputs = {{"looks",
+                   "For each: trials, alpha_spent, at_least or at_most, rejected_by_now under guessing"},
+                  {"size", "Probability that guessing is rejected at any look"}},
+      .example = {{"trials", {40, 80, 120}}, {"alpha", 0.05}, {"spending", "obrien-fleming"}},
+      .run = run};
+}
+
+}  // namespace palpate::analysis

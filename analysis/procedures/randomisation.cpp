@@ -1,0 +1,97 @@
+#include <fmt/core.h>
+
+#include <stdexcept>
+
+#include "analysis/procedures/all.hpp"
+#include "analysis/procedures/phrases.hpp"
+#include "analysis/statistics/order_randomisation.hpp"
+#include "analysis/statistics/to_json.hpp"
+#include "analysis/words.hpp"
+
+namespace palpate::analysis {
+namespace {
+
+std::vector<OrderStratum> strata_of(const DataTable& table) {
+  const auto trials = count_column(table, "trials"), first = count_column(table, "correct_first"),
+             answers = count_column(table, "answers_first"), correct = count_column(table, "correct");
+  std::vector<OrderStratum> strata;
+  for (std::size_t i = 0; i < trials.size(); ++i)
+    strata.push_back({trials[i], first[i], answers[i], correct[i]});
+  return strata;
+}
+
+std::string in_words(const OrderRandomisationTest& test, Side side) {
+  std::string region = "No number of correct answers";
+  if (test.critical.at_least) region = fmt::format("{} or more", *test.critical.at_least);
+  if (test.critical.at_most) region = fmt::format("{} or fewer", *test.critical.at_most);
+  if (test.critical.at_least && test.critical.at_most)
+    region = fmt::format("{} or fewer, or {} or more", *test.critical.at_most, *test.critical.at_least);
+  return fmt::format(
+             "{} of {} correct; whoever feels nothing and answers so has {} on the average (standard "
+             "deviation "
+             "{})\n",
+             test.correct, test.trials, number(test.expected), number(test.standard_deviation)) +
+         p_line(test.p, side) +
+         fmt::format("{} of {} would reject at alpha {} (probability under guessing {})\n", region,
+                     test.trials, test.critical.alpha, number(test.critical.size)) +
+         method_line(test.method);
+}
+
+nlohmann::ordered_json to_json(const OrderRandomisationTest& test, Side side) {
+  nlohmann::ordered_json json = {{"procedure", "randomisation"},
+                                 {"correct", test.correct},
+                                 {"trials", test.trials},
+                                 {"expected", test.expected},
+                                 {"standard_deviation", test.standard_deviation},
+                                 {"p_values", analysis::to_json(test.p)},
+                                 {"critical", analysis::to_json(test.critical)},
+                                 {"method", analysis::to_json(test.method)}};
+  put_side(json, side);
+  return json;
+}
+
+Outcome run(const Arguments& asked) {
+  const OrderRandomisationTest test =
+      order_randomisation_test(strata_of(asked.table), asked.number("alpha"), asked.side());
+  return {.json = to_json(test, asked.side()), .text = in_words(test, asked.side())};
+}
+
+}  // namespace
+
+Procedure randomisation_procedure() {
+  return {
+      .name = "randomisation",
+      .question = "Are more answers correct than guessing gives, when the orders were balanced?",
+      .title = "randomisation test over the admissible orders",
+      .teaches =
+          "For two-interval studies in which each examinee met either order equally often. Balanced orders "
+          "are not "
+          "independent, so the binomial test does not hold. Whoever feels nothing would have answered the "
+          "same whatever "
+          "order had been drawn: the answers are held fixed and every order that could have been drawn "
+          "counts as much as "
+          "the one that was. Exact.",
+      .inputs = {alpha_input(), side_input("greater")},
+      .data = {.shape = Data::Shape::Columns,
+               .meaning = "one examinee (and cell) a row",
+               .columns = {{.name = "trials", .meaning = "Answers"},
+                           {.name = "correct_first", .meaning = "of them with the correct interval first"},
+                           {.name = "answers_first", .meaning = "of them answered 1"},
+                           {.name = "correct", .meaning = "of them correct"}}},
+      .outputs = {{"correct", "Correct answers of all"},
+                  {"trials", "Answers of all"},
+                  {"expected", "Correct answers of whoever feels nothing and answers so"},
+                  {"standard_deviation", "of them"},
+                  {"side", "Alternative that was asked for"},
+                  {"p", "p value of that side"},
+                  {"p_values", "of all three sides"},
+                  {"critical", "Numbers that reject at alpha, given the answers"}},
+      .example = {{"data",
+                   {{"trials", {4, 4, 4, 4}},
+                    {"correct_first", {2, 2, 2, 2}},
+                    {"answers_first", {2, 1, 2, 2}},
+                    {"correct", {4, 3, 4, 2}}}}},
+      .run = run};
+}
+
+}  // namespace palpate::analysis
