@@ -14,12 +14,23 @@ namespace {
 constexpr double kChance = 0.5;  // of two intervals
 constexpr std::size_t kLargestSignedRank = 5000;
 
-std::optional<double> median(std::vector<double> values) {
-  if (values.empty()) return std::nullopt;
-  const auto middle = values.begin() + std::ssize(values) / 2;
-  std::nth_element(values.begin(), middle, values.end());
-  if (values.size() % 2 == 1) return *middle;
-  return (*middle + *std::max_element(values.begin(), middle)) / 2;
+// Quantile of sorted values, linear between them (type 7 of Hyndman & Fan 1996, R's default).
+double quantile(const std::vector<double>& sorted, double share) {
+  const double place = share * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+}
+
+std::optional<ResponseTimes> response_times(std::vector<double> seconds) {
+  if (seconds.empty()) return std::nullopt;
+  std::sort(seconds.begin(), seconds.end());
+  return ResponseTimes{.n = seconds.size(),
+                       .least = seconds.front(),
+                       .lower_quartile = quantile(seconds, 0.25),
+                       .median = quantile(seconds, 0.5),
+                       .upper_quartile = quantile(seconds, 0.75),
+                       .most = seconds.back()};
 }
 
 // Counts of one pass over the trials.
@@ -185,7 +196,7 @@ void compute(const Selection& selection, StudyReport& report) {
   }
   const Counts counts = count(selection, report.cells);
   for (std::size_t i = 0; i < report.cells.size(); ++i) {
-    report.cells[i].median_response_time_s = median(counts.response_times[i]);
+    report.cells[i].response_times = response_times(counts.response_times[i]);
     if (!report.withheld) test_cell(report.cells[i], counts, i, report);
   }
   for (std::size_t i = 0; i < report.cells.size(); ++i) {
@@ -205,7 +216,9 @@ StudyReport analyse(const StudyTable& table, const ReportOptions& options) {
                      .options = options,
                      .run_mode = selection.run_mode,
                      .planned_examinees = table.design.planned_examinees,
-                     .examinees = selection.examinees};
+                     .examinees = selection.examinees,
+                     .frozen_plan = table.frozen_plan,
+                     .interim_looks = table.interim_looks};
   take_sessions(table, selection, report);
   report.complete_examinees = complete_examinees(table.design, selection);
   report.complete = report.complete_examinees >= report.planned_examinees;

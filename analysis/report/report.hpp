@@ -24,6 +24,12 @@ struct ReportOptions {
   std::string written_utc{};       // when
 };
 
+/// From the question's onset to the answer [s].
+struct ResponseTimes {
+  std::size_t n = 0;
+  double least = 0.0, lower_quartile = 0.0, median = 0.0, upper_quartile = 0.0, most = 0.0;
+};
+
 /// What was asked and answered under one cell. What cannot be computed (no answers) or must not be shown yet
 /// (the planned sample is not complete) is empty.
 struct CellResult {
@@ -34,7 +40,7 @@ struct CellResult {
   std::optional<ExamineeLevelTest> by_people{};
   std::optional<DPrime> d_prime{};
   std::optional<IntervalBias> bias{};
-  std::optional<double> median_response_time_s{};
+  std::optional<ResponseTimes> response_times{};  // where they were recorded
 };
 
 /// Two cells compared on differences within examinees: proportion correct under `first` less that under
@@ -84,6 +90,10 @@ struct StudyReport {
   std::vector<ForceCurve> curves{};  // of this run mode
   std::vector<VoidedTrial> voided{};
   std::vector<SessionRow> sessions{};  // of this run mode
+  std::optional<FrozenPlan> frozen_plan{};
+  int interim_looks = 0;                  // that were not planned
+  std::vector<std::string> plan{};        // what was fixed beforehand, a sentence each
+  std::vector<std::string> deviations{};  // from it, likewise
   std::string pooled_claim{}, people_claim{}, comparison_claim{};
   std::vector<std::string> method{};  // the method section, a paragraph each
   std::vector<std::string> limits{};

@@ -140,6 +140,23 @@ std::string stimulus_section(const StudyReport& report) {
   return text + kEnd;
 }
 
+std::string response_time_section(const StudyReport& report) {
+  const TextTable table = response_time_table(report);
+  if (table.rows.empty()) return "";
+  return heading("times", "How long did the answers take?", "secondary") + html_table(table) + kEnd;
+}
+
+std::string plan_section(const StudyReport& report) {
+  std::string text = heading("plan", "Plan and deviations");
+  for (const std::string& words : report.plan) text += paragraph(words);
+  if (report.deviations.empty())
+    return text + paragraph("Nothing that the study file can tell deviates from it.") + kEnd;
+  text += "<ul>\n";
+  for (const std::string& deviation : report.deviations)
+    text += fmt::format("<li>{}</li>\n", html(deviation));
+  return text + "</ul>\n" + kEnd;
+}
+
 std::string method_sections(const StudyReport& report) {
   std::string text = heading("method", "Method");
   for (const std::string& words : report.method) text += paragraph(words);
@@ -175,7 +192,8 @@ std::string html_report(const StudyReport& report) {
          header(report) + summary_section(report) + primary_section(report) + people_section(report) +
          comparison_section(report) +
          heading("sensitivity", "Sensitivity and the order of the intervals", "secondary") +
-         html_table(sensitivity_table(report)) + kEnd + stimulus_section(report) + method_sections(report) +
+         html_table(sensitivity_table(report)) + kEnd + response_time_section(report) +
+         stimulus_section(report) + plan_section(report) + method_sections(report) +
          provenance_section(report) + "</main>\n</div>\n</body>\n</html>\n";
 }
 

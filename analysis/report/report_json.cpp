@@ -62,6 +62,29 @@ ordered_json design_json(const StudyDesign& design) {
           {"display_during_interval", design.display_during_interval}};
 }
 
+ordered_json times_json(const std::optional<ResponseTimes>& times) {
+  if (!times) return nullptr;
+  return {{"n", times->n},
+          {"least", times->least},
+          {"lower_quartile", times->lower_quartile},
+          {"median", times->median},
+          {"upper_quartile", times->upper_quartile},
+          {"most", times->most}};
+}
+
+ordered_json plan_json(const StudyReport& report) {
+  ordered_json frozen = nullptr;
+  if (report.frozen_plan) {
+    frozen = {{"sha256", report.frozen_plan->sha256},
+              {"frozen_utc", report.frozen_plan->frozen_utc},
+              {"software_version", report.frozen_plan->software_version}};
+  }
+  return {{"frozen", frozen},
+          {"words", report.plan},
+          {"deviations", report.deviations},
+          {"unplanned_interim_looks", report.interim_looks}};
+}
+
 ordered_json cell_json(const StudyReport& report, const CellResult& cell) {
   ordered_json examinees = ordered_json::array();
   for (std::size_t i = 0; i < report.examinees.size(); ++i) {
@@ -81,7 +104,9 @@ ordered_json cell_json(const StudyReport& report, const CellResult& cell) {
           {"examinee_level", or_null(cell.by_people)},
           {"dprime", or_null(cell.d_prime)},
           {"interval_order", or_null(cell.bias)},
-          {"median_response_time_s", or_null(cell.median_response_time_s)},
+          {"median_response_time_s",
+           cell.response_times ? ordered_json(cell.response_times->median) : ordered_json(nullptr)},
+          {"response_times_s", times_json(cell.response_times)},
           {"by_examinee", examinees}};
 }
 
@@ -175,6 +200,7 @@ ordered_json json_report(const StudyReport& report) {
           {"stimuli", array_of(report.stimuli, stimulus_json)},
           {"force_curves", array_of(report.curves, curve)},
           {"voided", array_of(report.voided, voided)},
+          {"plan", plan_json(report)},
           {"method", report.method},
           {"limits", report.limits},
           {"sessions", array_of(report.sessions, session_json)},

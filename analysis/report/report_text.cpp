@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "analysis/report/summary.hpp"
 #include "analysis/report/tables.hpp"
 #include "analysis/report/write_report.hpp"
 #include "analysis/words.hpp"
@@ -59,15 +60,23 @@ std::string text_report(const StudyReport& report) {
   text += heading("Summary", '=');
   for (std::size_t i = 0; i < report.summary.size(); ++i)
     text += (i > 0 ? "\n" : "") + wrapped(report.summary[i]);
-  text += section(primary_table(report), "Primary test: pooled exact binomial test", report.pooled_claim);
+  std::string primary = primary_in_words(report.design);
+  primary[0] = static_cast<char>(primary[0] - 'A' + 'a');
+  text += section(primary_table(report), "Primary test: pooled " + primary, report.pooled_claim);
   text += section(people_table(report), "Secondary: examinee-level test", report.people_claim);
   if (!report.comparisons.empty()) {
     text += section(comparison_table(report), "Cell against cell", report.comparison_claim);
   }
   text += section(sensitivity_table(report), "Secondary: sensitivity and interval order");
   text += section(examinee_table(report), "Correct answers of each examinee");
+  if (const TextTable times = response_time_table(report); !times.rows.empty())
+    text += section(times, "Secondary: response times");
   if (!report.stimuli.empty()) text += section(stimulus_table(report), "Stimuli as they were explored");
   if (!report.voided.empty()) text += section(voided_table(report), "Voided trials, not counted");
+  text += heading("Plan and deviations", '=');
+  for (const std::string& words : report.plan) text += wrapped(words);
+  if (report.deviations.empty()) text += "Nothing that the study file can tell deviates from it.\n";
+  for (const std::string& deviation : report.deviations) text += wrapped(deviation, "- ", "  ");
   text += heading("Method", '=');
   for (const std::string& paragraph : report.method) text += wrapped(paragraph);
   text += heading("Limits", '=');

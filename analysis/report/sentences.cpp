@@ -1,5 +1,6 @@
 #include "analysis/report/sentences.hpp"
 
+#include "analysis/report/deviations.hpp"
 #include "analysis/report/method_section.hpp"
 #include "analysis/report/summary.hpp"
 
@@ -28,6 +29,8 @@ void write_sentences(const std::vector<std::string>& notes, StudyReport& report)
       "not pairs. A "
       "rejection says that " +
       people + " like these do better under one of them on the average.";
+  report.plan = plan_in_words(report);
+  report.deviations = deviations(report);
   report.method = method_section(report);
   report.limits = limits(report, notes);
 }

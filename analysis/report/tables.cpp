@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -78,7 +79,7 @@ TextTable people_table(const StudyReport& report) {
   TextTable table{.title = "Correct answers, examinee by examinee",
                   .header = {"cell", "examinees", "mean", "standard deviation", "p",
                              short_percent(report.options.level) + " interval of the mean"}};
-  std::set<std::string> methods;
+  std::set<std::string> tests, intervals;
   for (const CellResult& cell : report.cells) {
     std::vector<std::string> row{cell.name};
     if (cell.by_people) {
@@ -87,14 +88,18 @@ TextTable people_table(const StudyReport& report) {
                  {std::to_string(test.examinees), percent(test.mean_proportion),
                   test.examinees > 1 ? percent(test.deviation) : kNone,
                   bare_p(test.p.of(side_from_name(report.design.side))), percent_range(test.interval)});
-      methods.insert(test.test.method.name + "; " + test.interval.method);
+      tests.insert(test.test.method.name);
+      if (!std::isnan(test.interval.lower)) intervals.insert(test.interval.method);
     }
     row.resize(table.header.size(), report.withheld ? "withheld" : kNone);
     table.rows.push_back(row);
   }
-  if (!methods.empty()) {
-    table.note = fmt::format("Each examinee's proportion correct against 1/2, side {}: {}.",
-                             report.design.side, listed({methods.begin(), methods.end()}));
+  if (!tests.empty()) {
+    table.note = fmt::format("Each examinee's proportion correct against 1/2, side {}: {}",
+                             report.design.side, listed({tests.begin(), tests.end()}));
+    table.note += intervals.empty()
+                      ? "."
+                      : fmt::format("; intervals by {}.", listed({intervals.begin(), intervals.end()}));
   }
   return table;
 }
@@ -154,6 +159,21 @@ TextTable sensitivity_table(const StudyReport& report) {
       "the "
       "share of answers '1' is tested against 1/2, two-sided.";
   if (corrected) table.note += " * 0 or 100 % corrected by 1/(2n) (Macmillan & Kaplan 1985).";
+  return table;
+}
+
+TextTable response_time_table(const StudyReport& report) {
+  TextTable table{
+      .title = "Response times",
+      .header = {"cell", "answers", "least", "lower quartile", "median", "upper quartile", "most"}};
+  for (const CellResult& cell : report.cells) {
+    if (!cell.response_times) continue;
+    const ResponseTimes& times = *cell.response_times;
+    table.rows.push_back({cell.name, std::to_string(times.n), decimals(times.least, 2),
+                          decimals(times.lower_quartile, 2), decimals(times.median, 2),
+                          decimals(times.upper_quartile, 2), decimals(times.most, 2)});
+  }
+  table.note = "Seconds from the question's onset to the answer.";
   return table;
 }
 

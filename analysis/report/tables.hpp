@@ -15,11 +15,12 @@ struct TextTable {
   std::string note{};
 };
 
-TextTable primary_table(const StudyReport& report);      // answers, critical number, p, interval
-TextTable people_table(const StudyReport& report);       // examinee-level test
-TextTable comparison_table(const StudyReport& report);   // cell against cell
-TextTable sensitivity_table(const StudyReport& report);  // d' and answers by interval order
-TextTable examinee_table(const StudyReport& report);     // counts of each examinee
+TextTable primary_table(const StudyReport& report);        // answers, critical number, p, interval
+TextTable people_table(const StudyReport& report);         // examinee-level test
+TextTable comparison_table(const StudyReport& report);     // cell against cell
+TextTable sensitivity_table(const StudyReport& report);    // d' and answers by interval order
+TextTable examinee_table(const StudyReport& report);       // counts of each examinee
+TextTable response_time_table(const StudyReport& report);  // empty where none were recorded
 TextTable stimulus_table(const StudyReport& report);
 TextTable voided_table(const StudyReport& report);
 TextTable session_table(const StudyReport& report);

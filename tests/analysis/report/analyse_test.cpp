@@ -253,3 +253,42 @@ TEST(Analyse, OpensAtAPlannedLookAndOnlyThen) {
   EXPECT_EQ(last.look->number, 3);
   EXPECT_GE(last.cells[0].primary->critical.at_least, 37);  // no less than without looks
 }
+
+// The report says what was fixed beforehand, and where the study departed from it.
+TEST(Analyse, TellsThePlanAndWhatDeviatesFromIt) {
+  StudyTable table = test::study_table(test::like_the_paper());
+  const StudyReport without = analyse(table);
+  EXPECT_THAT(without.plan, Contains(HasSubstr("No analysis plan was frozen")));
+  EXPECT_TRUE(without.deviations.empty());
+  table.frozen_plan = {.sha256 = "abc", .frozen_utc = "2003-12-01T08:00:00Z", .software_version = "0.1.0"};
+  EXPECT_THAT(analyse(table).plan,
+              Contains(HasSubstr("frozen in the study file on 2003-12-01T08:00:00Z (SHA-256 abc).")));
+  table.frozen_plan->frozen_utc = "2003-12-04T08:00:00Z";
+  EXPECT_THAT(analyse(table).plan, Contains(HasSubstr("after the first of these sessions had begun")));
+
+  table.interim_looks = 2;
+  table.design.planned_examinees = 12;
+  table.sessions[3].finished = false;
+  table.sessions[4].software_version = "0.2.0";
+  table.trials[5].voided = true;
+  const std::vector<std::string> found = analyse(table).deviations;
+  EXPECT_THAT(found, Contains(HasSubstr("15 examinees are complete, 12 were planned")));
+  EXPECT_THAT(found, Contains(HasSubstr("looked at 2 times before")));
+  EXPECT_THAT(found, Contains(HasSubstr("1 session was not finished")));
+  EXPECT_THAT(found, Contains(HasSubstr("version changed on the way: 0.1.0 and 0.2.0")));
+  EXPECT_THAT(found, Contains(HasSubstr("1 trial was voided")));
+}
+
+// R: quantile(c(1, 2, 3, 4, 10)), with each time recorded 12 times
+TEST(Analyse, SummarisesResponseTimes) {
+  StudyTable table = test::study_table(test::like_the_paper());
+  for (std::size_t i = 0; i < table.trials.size(); ++i)
+    table.trials[i].response_time_s = std::vector{1.0, 2.0, 3.0, 4.0, 10.0}[i % 5];
+  const ResponseTimes times = *analyse(table).cells[0].response_times;
+  EXPECT_EQ(times.n, 60U);
+  EXPECT_EQ(times.least, 1.0);
+  EXPECT_EQ(times.lower_quartile, 2.0);
+  EXPECT_EQ(times.median, 3.0);
+  EXPECT_EQ(times.upper_quartile, 4.0);
+  EXPECT_EQ(times.most, 10.0);
+}

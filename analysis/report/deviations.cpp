@@ -1,0 +1,91 @@
+#include "analysis/report/deviations.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <set>
+
+#include "analysis/words.hpp"
+
+namespace palpate::analysis {
+namespace {
+
+void add_sample(const StudyReport& report, std::vector<std::string>& found) {
+  if (report.complete_examinees == report.planned_examinees) return;
+  found.push_back(fmt::format("{} examinees are complete, {} were planned.", report.complete_examinees,
+                              report.planned_examinees));
+}
+
+void add_looks(const StudyReport& report, std::vector<std::string>& found) {
+  if (report.interim_looks == 0) return;
+  found.push_back(
+      fmt::format("The results were looked at {} before the planned sample was complete, without being "
+                  "planned.",
+                  report.interim_looks == 1 ? "once" : fmt::format("{} times", report.interim_looks)));
+}
+
+void add_sessions(const StudyReport& report, std::vector<std::string>& found) {
+  const auto unfinished = std::count_if(report.sessions.begin(), report.sessions.end(),
+                                        [](const SessionRow& session) { return !session.finished; });
+  if (unfinished > 0) {
+    found.push_back(fmt::format("{} not finished.", counted(unfinished, "session was", "sessions were")));
+  }
+  if (report.sessions.size() > report.examinees.size()) {
+    found.push_back(
+        fmt::format("{} examinees sat {} sessions.", report.examinees.size(), report.sessions.size()));
+  }
+  const auto voided = static_cast<long>(report.voided.size());
+  if (voided > 0) found.push_back(fmt::format("{} voided.", counted(voided, "trial was", "trials were")));
+}
+
+void add_versions(const StudyReport& report, std::vector<std::string>& found) {
+  std::set<std::string> versions;
+  for (const SessionRow& session : report.sessions) versions.insert(session.software_version);
+  if (report.frozen_plan) versions.insert(report.frozen_plan->software_version);
+  versions.erase("");
+  if (versions.size() < 2) return;
+  found.push_back(fmt::format("The program's version changed on the way: {}.",
+                              listed(std::vector<std::string>(versions.begin(), versions.end()))));
+}
+
+bool begun_before_the_plan(const StudyReport& report) {
+  return std::any_of(report.sessions.begin(), report.sessions.end(), [&](const SessionRow& session) {
+    return session.started_utc < report.frozen_plan->frozen_utc;  // ISO 8601 sorts by time
+  });
+}
+
+}  // namespace
+
+std::vector<std::string> plan_in_words(const StudyReport& report) {
+  const StudyDesign& design = report.design;
+  std::vector<std::string> words;
+  if (report.frozen_plan) {
+    words.push_back(
+        fmt::format("The analysis plan was frozen in the study file on {} (SHA-256 {}){}.",
+                    report.frozen_plan->frozen_utc, report.frozen_plan->sha256,
+                    begun_before_the_plan(report) ? ", after the first of these sessions had begun" : ""));
+  } else {
+    words.push_back(
+        "No analysis plan was frozen. The protocol, which names the primary test, alpha and the sample, was "
+        "stored "
+        "with the first session and cannot be changed since.");
+  }
+  words.push_back(fmt::format(
+      "Planned: {} examinees; primary test {}, alpha {}, side {}; between cells {}{}.",
+      design.planned_examinees, design.primary, design.alpha, design.side,
+      design.between_models == "none" ? "nothing" : design.between_models,
+      design.looks.empty() ? "; one look, at the end"
+                           : fmt::format("; {} looks, {} spending", design.looks.size(), design.spending)));
+  return words;
+}
+
+std::vector<std::string> deviations(const StudyReport& report) {
+  std::vector<std::string> found;
+  add_sample(report, found);
+  add_looks(report, found);
+  add_sessions(report, found);
+  add_versions(report, found);
+  return found;
+}
+
+}  // namespace palpate::analysis

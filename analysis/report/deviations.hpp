@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/report/report.hpp"
+
+namespace palpate::analysis {
+
+/// What was fixed before the first answer, a sentence or two each: the frozen plan, or that there is none.
+std::vector<std::string> plan_in_words(const StudyReport& report);
+
+/// Where the study as it was run departs from its plan, a sentence each; empty: nowhere that its file can
+/// tell.
+std::vector<std::string> deviations(const StudyReport& report);
+
+}  // namespace palpate::analysis
