@@ -9,13 +9,16 @@ namespace palpate::analysis {
 
 const std::vector<Procedure>& procedures() {
   static const std::vector<Procedure> all = {
-      binomial_procedure(),     //
-      critical_procedure(),     //
-      dprime_procedure(),       //
-      mcnemar_procedure(),      //
-      permutation_procedure(),  //
-      sign_procedure(),         //
-      wilcoxon_procedure(),     //
+      binomial_procedure(),        //
+      critical_procedure(),        //
+      dprime_procedure(),          //
+      interval_bias_procedure(),   //
+      mcnemar_procedure(),         //
+      permutation_procedure(),     //
+      same_different_procedure(),  //
+      sign_procedure(),            //
+      wilcoxon_procedure(),        //
+      yes_no_procedure(),          //
   };
   return all;
 }

@@ -9,9 +9,12 @@ namespace palpate::analysis {
 Procedure binomial_procedure();
 Procedure critical_procedure();
 Procedure dprime_procedure();
+Procedure interval_bias_procedure();
 Procedure mcnemar_procedure();
 Procedure permutation_procedure();
+Procedure same_different_procedure();
 Procedure sign_procedure();
 Procedure wilcoxon_procedure();
+Procedure yes_no_procedure();
 
 }  // namespace palpate::analysis

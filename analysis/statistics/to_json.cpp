@@ -71,8 +71,12 @@ ordered_json to_json(const SampleSize& size) {
 }
 
 ordered_json to_json(const DPrime& d_prime) {
+  const std::optional<Strategy>& strategy = d_prime.task.strategy;
   return {{"procedure", "dprime"},
-          {"task", "2IFC"},
+          {"task", name_of(d_prime.task)},
+          {"alternatives", d_prime.task.alternatives},
+          {"strategy", strategy ? ordered_json(name_of(*strategy)) : ordered_json(nullptr)},
+          {"chance", chance_of(d_prime.task)},
           {"correct", d_prime.correct},
           {"trials", d_prime.trials},
           {"proportion", d_prime.proportion},
