@@ -9,6 +9,7 @@ namespace palpate::analysis {
 
 const std::vector<Procedure>& procedures() {
   static const std::vector<Procedure> all = {
+      bayes_procedure(),           //
       binomial_procedure(),        //
       critical_procedure(),        //
       dprime_procedure(),          //
@@ -17,6 +18,7 @@ const std::vector<Procedure>& procedures() {
       permutation_procedure(),     //
       same_different_procedure(),  //
       sign_procedure(),            //
+      similarity_procedure(),      //
       wilcoxon_procedure(),        //
       yes_no_procedure(),          //
   };

@@ -6,6 +6,7 @@ namespace palpate::analysis {
 
 // One function for each file of this folder that describes a procedure; all.cpp lists them by name.
 
+Procedure bayes_procedure();
 Procedure binomial_procedure();
 Procedure critical_procedure();
 Procedure dprime_procedure();
@@ -14,6 +15,7 @@ Procedure mcnemar_procedure();
 Procedure permutation_procedure();
 Procedure same_different_procedure();
 Procedure sign_procedure();
+Procedure similarity_procedure();
 Procedure wilcoxon_procedure();
 Procedure yes_no_procedure();
 

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
+
 #include "analysis/statistics/to_json.hpp"
 #include "analysis/words.hpp"
 
@@ -57,8 +59,9 @@ std::string detection_in_words(const Detection& detection, const std::string& si
                             percent(detection.false_alarm_rate), name_of(detection.correction))
               : "") +
          fmt::format("d' = {} (standard error {})\n{} interval: {} ({})\n", number(detection.d_prime),
-                     number(detection.standard_error), short_percent(detection.interval.level),
-                     range(detection.interval), detection.interval.method);
+                     std::isfinite(detection.standard_error) ? number(detection.standard_error) : "none",
+                     short_percent(detection.interval.level), range(detection.interval),
+                     detection.interval.method);
 }
 
 }  // namespace palpate::analysis

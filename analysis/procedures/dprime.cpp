@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
+
 #include "analysis/procedures/all.hpp"
 #include "analysis/procedures/detection_words.hpp"
 #include "analysis/procedures/phrases.hpp"
@@ -23,8 +25,9 @@ std::string in_words(const DPrime& d_prime) {
                                           name_of(d_prime.correction))
                             : "") +
          fmt::format("d' = {} (standard error {})\n{} interval: {} ({})\n", number(d_prime.d_prime),
-                     number(d_prime.standard_error), short_percent(d_prime.interval.level),
-                     range(d_prime.interval), d_prime.interval.method) +
+                     std::isfinite(d_prime.standard_error) ? number(d_prime.standard_error) : "none",
+                     short_percent(d_prime.interval.level), range(d_prime.interval),
+                     d_prime.interval.method) +
          below_chance(d_prime) + method_line(d_prime.method);
 }
 

@@ -39,7 +39,7 @@ Interval interval_of(const ChoiceTask& task, long correct, long trials, double l
                                   : "d' at the ends of the Clopper-Pearson interval"};
   if (!knows_direction(task) && exact.upper < chance_of(task)) {
     interval.lower = interval.upper = std::numeric_limits<double>::quiet_NaN();
-    interval.method = "none: the whole interval of the proportion lies below chance";
+    interval.method = "the whole interval of the proportion lies below chance";
   }
   return interval;
 }

@@ -35,11 +35,21 @@ ordered_json to_json(const Method& method) {
 }
 
 ordered_json to_json(const BinomialTest& test) {
-  return {
-      {"procedure", "binomial"},      {"correct", test.correct},        {"trials", test.trials},
-      {"chance", test.chance},        {"side", name_of(test.side)},     {"proportion", test.proportion},
-      {"p", test.p.of(test.side)},    {"p_values", to_json(test.p)},    {"interval", to_json(test.interval)},
-      {"bound", to_json(test.bound)}, {"wilson", to_json(test.wilson)}, {"method", to_json(test.method)}};
+  return {{"procedure", "binomial"},
+          {"correct", test.correct},
+          {"trials", test.trials},
+          {"chance", test.chance},
+          {"side", name_of(test.side)},
+          {"proportion", test.proportion},
+          {"p", test.p.of(test.side)},
+          {"p_values", to_json(test.p)},
+          {"mid_p", test.mid_p.of(test.side)},
+          {"mid_p_values", to_json(test.mid_p)},
+          {"interval", to_json(test.interval)},
+          {"bound", to_json(test.bound)},
+          {"wilson", to_json(test.wilson)},
+          {"jeffreys", to_json(test.jeffreys)},
+          {"method", to_json(test.method)}};
 }
 
 ordered_json to_json(const CriticalNumber& critical) {
