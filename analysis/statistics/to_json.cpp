@@ -163,6 +163,8 @@ ordered_json to_json(const SignTest& test) {
           {"negative", test.negative},
           {"zeros", test.zeros},
           {"p_values", to_json(test.p)},
+          {"share_positive", to_json(test.share_positive)},
+          {"share_interval", to_json(test.share_interval)},
           {"median", to_json(test.median)},
           {"interval", to_json(test.interval)},
           {"method", to_json(test.method)}};
