@@ -31,10 +31,14 @@ std::string in_words(const IntervalBias& bias, Side side) {
                   percent_range(bias.share_interval)) +
       "Against 1/2: " + p_line(bias.p, side);
   if (bias.d_prime) {
+    const DPrimeByOrder& by_order = *bias.d_prime;
+    const std::string corrected =
+        by_order.corrected ? fmt::format(", corrected ({})", name_of(by_order.correction)) : "";
     text += fmt::format(
-        "Without the assumption of no bias: d' = {}, c = {} (below 0: the first is favoured){}\n",
-        number(bias.d_prime->d_prime), number(bias.d_prime->criterion),
-        bias.d_prime->corrected ? fmt::format(", corrected ({})", name_of(bias.d_prime->correction)) : "");
+        "Without the assumption of no bias: d' = {}, {} interval {}; c = {} (below 0: the first is "
+        "favoured){}\n",
+        number(by_order.d_prime), short_percent(by_order.interval.level), range(by_order.interval),
+        number(by_order.criterion), corrected);
   }
   return text + method_line(bias.method);
 }
@@ -79,7 +83,9 @@ Procedure interval_bias_procedure() {
                   {"side", "Alternative that was asked for"},
                   {"p", "p value of that side; greater: the first interval is favoured"},
                   {"p_values", "of all three sides"},
-                  {"d_prime_by_order", "d' and criterion from both hit rates; null without both orders"}},
+                  {"d_prime_by_order",
+                   "d', its standard error and interval, and criterion from both hit rates; null without "
+                   "both orders"}},
       .example = {{"first", {26, 30}}, {"second", {15, 30}}},
       .run = run};
 }

@@ -2,24 +2,18 @@
 
 #include <fmt/core.h>
 
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
 
+#include "analysis/statistics/detection.hpp"
 #include "analysis/statistics/proportion_interval.hpp"
 
 namespace palpate::analysis {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-double z(double proportion) {
-  if (proportion <= 0) return -kInfinity;
-  if (proportion >= 1) return kInfinity;
-  return quantile(boost::math::normal(), proportion);
-}
 
 // The delta method: the binomial standard error of the proportion over the slope of the task's function.
 double standard_error_of(const DPrime& result) {
@@ -125,15 +119,23 @@ DPrime dprime_2ifc(long correct, long trials, DPrimeCorrection correction, doubl
   return dprime({}, correct, trials, correction, level);
 }
 
+// With the first interval's trials for signal and the answer "first" for "yes" it is a yes/no task whose d'
+// is sqrt(2) times as large.
 DPrimeByOrder dprime_2ifc_by_order(long correct_first, long trials_first, long correct_second,
-                                   long trials_second, DPrimeCorrection correction) {
-  const double first = corrected_proportion(correct_first, trials_first, correction);
-  const double second = corrected_proportion(correct_second, trials_second, correction);
+                                   long trials_second, DPrimeCorrection correction, double level) {
+  const Detection as_yes_no = yes_no({.hits = correct_first,
+                                      .signal_trials = trials_first,
+                                      .false_alarms = trials_second - correct_second,
+                                      .noise_trials = trials_second},
+                                     correction, level);
   DPrimeByOrder result{.correction = correction};
-  result.corrected = first != corrected_proportion(correct_first, trials_first, DPrimeCorrection::None) ||
-                     second != corrected_proportion(correct_second, trials_second, DPrimeCorrection::None);
-  result.d_prime = (z(first) + z(second)) / std::numbers::sqrt2;
-  result.criterion = (z(second) - z(first)) / 2;
+  result.corrected = as_yes_no.corrected;
+  result.d_prime = as_yes_no.d_prime / std::numbers::sqrt2;
+  result.standard_error = as_yes_no.standard_error / std::numbers::sqrt2;
+  result.interval = as_yes_no.interval;
+  result.interval.lower /= std::numbers::sqrt2;
+  result.interval.upper /= std::numbers::sqrt2;
+  result.criterion = as_yes_no.criterion;
   result.method = {.name = "d' of a two-interval forced choice from the hit rates of both orders",
                    .source = "Macmillan & Creelman 2005, ch. 7" + source_of(correction)};
   return result;

@@ -52,12 +52,14 @@ DPrime dprime_2ifc(long correct, long trials, DPrimeCorrection correction, doubl
 /// d' = (z(H1) + z(H2))/sqrt(2), c = (z(H2) - z(H1))/2: below 0 the first interval is favoured.
 struct DPrimeByOrder {
   double d_prime = 0.0;
+  double standard_error = 0.0;  // by the delta method; infinite where d_prime is
+  Interval interval{};          // by profile likelihood of the uncorrected counts; ends may be infinite
   double criterion = 0.0;
   bool corrected = false;
   DPrimeCorrection correction = DPrimeCorrection::HalfTrial;
   Method method{};
 };
 DPrimeByOrder dprime_2ifc_by_order(long correct_first, long trials_first, long correct_second,
-                                   long trials_second, DPrimeCorrection correction);
+                                   long trials_second, DPrimeCorrection correction, double level = 0.95);
 
 }  // namespace palpate::analysis

@@ -7,11 +7,14 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 
 namespace palpate::analysis {
 namespace {
+
+constexpr double kLargestT = 1e4;  // the series of the noncentral distribution grows with t^2
 
 // The noncentrality at which P(T <= t) is `probability`; P falls as it grows.
 double noncentrality_at(double t, double degrees, double probability) {
@@ -26,6 +29,18 @@ double noncentrality_at(double t, double degrees, double probability) {
   const auto found = boost::math::tools::toms748_solve(excess, lower, upper,
                                                        boost::math::tools::eps_tolerance<double>(40), steps);
   return (found.first + found.second) / 2;
+}
+
+Interval dz_interval(double t, double n, double level) {
+  const double tail = (1 - level) / 2;
+  if (std::abs(t) > kLargestT) {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    return {.lower = kNone, .upper = kNone, .level = level, .method = "t is beyond 10 000"};
+  }
+  return {.lower = noncentrality_at(t, n - 1, 1 - tail) / std::sqrt(n),
+          .upper = noncentrality_at(t, n - 1, tail) / std::sqrt(n),
+          .level = level,
+          .method = "noncentral t"};
 }
 
 void validate(std::span<const double> differences, double level) {
@@ -63,10 +78,7 @@ PairedTTest paired_t_test(std::span<const double> differences, double level) {
   test.interval = {
       .lower = test.mean - half, .upper = test.mean + half, .level = level, .method = "Student's t"};
   test.cohen_dz = test.mean / test.standard_deviation;
-  test.dz_interval = {.lower = noncentrality_at(test.t, n - 1, 1 - tail) / std::sqrt(n),
-                      .upper = noncentrality_at(test.t, n - 1, tail) / std::sqrt(n),
-                      .level = level,
-                      .method = "noncentral t"};
+  test.dz_interval = dz_interval(test.t, n, level);
   test.method = {.name = "paired t-test, with Cohen's d_z", .source = "Student 1908; Cumming & Finch 2001"};
   return test;
 }

@@ -14,7 +14,7 @@ struct PairedTTest {
   PValues p{};
   Interval interval{};     // for the mean
   double cohen_dz = 0.0;   // mean/standard deviation of the differences
-  Interval dz_interval{};  // from the noncentral t distribution
+  Interval dz_interval{};  // from the noncentral t distribution; both ends NaN beyond |t| = 1e4
   Method method{};
 };
 

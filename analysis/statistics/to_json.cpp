@@ -109,6 +109,8 @@ ordered_json to_json(const IntervalBias& bias) {
   ordered_json d_prime = nullptr;
   if (bias.d_prime) {
     d_prime = {{"d_prime", to_json(bias.d_prime->d_prime)},
+               {"standard_error", to_json(bias.d_prime->standard_error)},
+               {"interval", to_json(bias.d_prime->interval)},
                {"criterion", to_json(bias.d_prime->criterion)},
                {"corrected", bias.d_prime->corrected},
                {"correction", name_of(bias.d_prime->correction)},

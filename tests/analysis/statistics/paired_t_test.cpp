@@ -58,6 +58,12 @@ TEST(PairedT, FindsTheIntervalOfStrongAndWeakEffects) {
   }
 }
 
+TEST(PairedT, GivesNoIntervalForAnEffectBeyondMeasure) {
+  const PairedTTest test = paired_t_test(std::vector<double>{1e9, 1e9 + 1, 1e9 + 2});
+  EXPECT_NEAR(test.cohen_dz, 1e9, 10);
+  EXPECT_TRUE(std::isnan(test.dz_interval.lower) && std::isnan(test.dz_interval.upper));
+}
+
 TEST(PairedT, RefusesDifferencesThatSayNothing) {
   EXPECT_THROW(paired_t_test(std::vector<double>{1.0}), std::invalid_argument);
   EXPECT_THROW(paired_t_test(std::vector<double>{1.0, 1.0, 1.0}), std::invalid_argument);
