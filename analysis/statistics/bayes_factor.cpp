@@ -16,7 +16,8 @@ namespace {
 using Beta = boost::math::beta_distribution<>;
 
 double log_beta(double a, double b) {
-  return std::lgamma(a) + std::lgamma(b) - std::lgamma(a + b);
+  using boost::math::lgamma;
+  return lgamma(a) + lgamma(b) - lgamma(a + b);
 }
 
 // The part of a beta distribution that lies on the side of the alternative.
@@ -33,7 +34,7 @@ double quantile_of_part(const Beta& beta, double chance, Side side, double proba
 }
 
 std::string prior_in_words(const BayesFactor& result) {
-  const std::string name = fmt::format("Beta({}, {})", number(result.prior.a), number(result.prior.b));
+  std::string name = fmt::format("Beta({}, {})", number(result.prior.a), number(result.prior.b));
   if (result.side == Side::TwoSided) return name;
   return fmt::format("{} {} {}", name, result.side == Side::Greater ? "above" : "below",
                      chance_in_words(result.chance));

@@ -51,7 +51,8 @@ double standard_error_of(const Detection& result, double slope_hit, double slope
   const double h = result.hit_rate, f = result.false_alarm_rate;
   const double se = std::sqrt(slope_hit * slope_hit * variance(h, result.counts.signal_trials) +
                               slope_alarm * slope_alarm * variance(f, result.counts.noise_trials));
-  return std::isfinite(se) ? se : kInfinity;
+  if (!std::isfinite(se)) return kInfinity;
+  return se;
 }
 
 double raw_rate(long yes, long trials) {
