@@ -20,9 +20,10 @@ std::string bound_line(const BinomialTest& test) {
 std::string in_words(const BinomialTest& test) {
   return fmt::format("{} of {} correct: {}\n", test.correct, test.trials, percent(test.proportion)) +
          fmt::format("Against chance {}: ", chance_in_words(test.chance)) + p_line(test.p, test.side) +
-         fmt::format("{} interval: {} (Clopper-Pearson, exact), {} (Wilson)\n",
+         "With mid-p: " + p_line(test.mid_p, test.side) +
+         fmt::format("{} interval: {} (Clopper-Pearson, exact), {} (Wilson), {} (Jeffreys)\n",
                      short_percent(test.interval.level), percent_range(test.interval),
-                     percent_range(test.wilson)) +
+                     percent_range(test.wilson), percent_range(test.jeffreys)) +
          bound_line(test) + method_line(test.method);
 }
 
@@ -43,7 +44,10 @@ Procedure binomial_procedure() {
           "Tests that every answer is correct with the probability of a guess. It asks for answers that are "
           "independent when nobody feels anything: orders drawn by fair coins make them so. Two-sided p "
           "values "
-          "add up all outcomes that are no likelier than the one seen, as R's binom.test does.",
+          "add up all outcomes that are no likelier than the one seen, as R's binom.test does. The exact "
+          "test "
+          "keeps to alpha always; mid-p counts half of what is as likely as the outcome seen and keeps to it "
+          "on the average only: say beforehand which of them decides.",
       .inputs = {correct_input(), trials_input(), chance_input(), side_input("greater"), level_input()},
       .outputs = {{"correct", "Correct answers"},
                   {"trials", "All answers"},
@@ -52,9 +56,12 @@ Procedure binomial_procedure() {
                   {"proportion", "correct/trials"},
                   {"p", "p value of that side"},
                   {"p_values", "of all three sides"},
+                  {"mid_p", "mid-p value of that side"},
+                  {"mid_p_values", "of all three sides"},
                   {"interval", "for the proportion, Clopper-Pearson"},
                   {"bound", "one-sided bound that belongs to the test"},
-                  {"wilson", "interval for the proportion, Wilson"}},
+                  {"wilson", "interval for the proportion, Wilson"},
+                  {"jeffreys", "interval for the proportion, Jeffreys"}},
       .example = {{"correct", 41}, {"trials", 60}, {"chance", "1/2"}, {"side", "greater"}},
       .run = run};
 }

@@ -2,6 +2,7 @@
 
 #include "analysis/procedures/all.hpp"
 #include "analysis/procedures/phrases.hpp"
+#include "analysis/procedures/resampled.hpp"
 #include "analysis/statistics/signed_rank.hpp"
 #include "analysis/statistics/to_json.hpp"
 #include "analysis/words.hpp"
@@ -9,21 +10,27 @@
 namespace palpate::analysis {
 namespace {
 
-std::string in_words(const SignedRankTest& test, Side side) {
+std::string in_words(const SignedRankTest& test, const Interval& effect, Side side) {
   return fmt::format("{}, {} of them zero{}; V = {} of {}\n",
                      counted(static_cast<long>(test.n), "difference", "differences"), test.zeros,
                      test.ties ? ", with ties" : "", number(test.v), number(test.v_max)) +
          p_line(test.p, side) +
-         fmt::format("Pseudo-median {}, {} interval {} ({})\nEffect size (rank-biserial correlation): {}\n",
-                     number(test.pseudo_median), short_percent(test.interval.level), range(test.interval),
-                     test.interval.method, number(test.rank_biserial)) +
+         fmt::format(
+             "Pseudo-median {}, {} interval {} ({})\nEffect size (rank-biserial correlation): {}, {} "
+             "interval {} ({})\n",
+             number(test.pseudo_median), short_percent(test.interval.level), range(test.interval),
+             test.interval.method, number(test.rank_biserial), short_percent(effect.level), range(effect),
+             effect.method) +
          method_line(test.method);
 }
 
 Outcome run(const Arguments& asked) {
-  const SignedRankTest test = signed_rank_test(number_column(asked.table, "difference"),
-                                               zeros_from_name(asked.text("zeros")), asked.level());
-  Outcome outcome{.json = to_json(test), .text = in_words(test, asked.side())};
+  const std::vector<double> differences = number_column(asked.table, "difference");
+  const Zeros zeros = zeros_from_name(asked.text("zeros"));
+  const SignedRankTest test = signed_rank_test(differences, zeros, asked.level());
+  const Interval effect = rank_biserial_interval(differences, zeros, bootstrap_options(asked));
+  Outcome outcome{.json = to_json(test), .text = in_words(test, effect, asked.side())};
+  outcome.json["rank_biserial_interval"] = to_json(effect);
   put_side(outcome.json, asked.side());
   return outcome;
 }
@@ -44,6 +51,8 @@ Procedure wilcoxon_procedure() {
                       .meaning = "Zeros: drop (Wilcoxon 1945) or pratt (ranked, then left out)",
                       .usual = "pratt",
                       .choices = {"drop", "pratt"}},
+                     resamples_input(),
+                     seed_input(),
                      level_input()},
           .data = difference_data("One thing less the other, for each examinee"),
           .outputs = {{"n", "Differences given"},
@@ -53,6 +62,7 @@ Procedure wilcoxon_procedure() {
                       {"v", "V: the sum of the ranks of positive differences"},
                       {"v_max", "The sum of all ranks"},
                       {"rank_biserial", "Effect size, -1 to 1"},
+                      {"rank_biserial_interval", "for it, percentile bootstrap"},
                       {"side", "Alternative that was asked for"},
                       {"p", "p value of that side"},
                       {"p_values", "of all three sides"},

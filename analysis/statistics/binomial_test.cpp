@@ -12,7 +12,9 @@ namespace {
 using Binomial = boost::math::binomial_distribution<>;
 
 double at_least(const Binomial& binomial, long k) {
-  return k <= 0 ? 1.0 : cdf(complement(binomial, static_cast<double>(k - 1)));
+  if (k <= 0) return 1.0;
+  if (static_cast<double>(k) > binomial.trials()) return 0.0;
+  return cdf(complement(binomial, static_cast<double>(k - 1)));
 }
 
 double at_most(const Binomial& binomial, long k) {
@@ -33,20 +35,19 @@ long first_where(long first, long last, Predicate holds) {
   return first;
 }
 
-// Outcomes become less likely away from the mean, so those no likelier than k on the far side are a tail.
-double two_sided(const Binomial& binomial, long k, long n) {
-  const double mean = static_cast<double>(n) * binomial.success_fraction(), x = static_cast<double>(k);
-  const double limit = pdf(binomial, x) * (1 + 1e-7);
+// P of all outcomes whose probability is at most `limit`. Outcomes become less likely away from the mode, so
+// they are two tails.
+double no_likelier_than(const Binomial& binomial, long n, double limit) {
   const auto rare = [&](long j) { return pdf(binomial, static_cast<double>(j)) <= limit; };
-  if (x == mean) return 1.0;
-  if (x < mean) {
-    const long tail = first_where(static_cast<long>(std::ceil(mean)), n + 1, rare);
-    return at_most(binomial, k) + (tail > n ? 0.0 : at_least(binomial, tail));
-  }
-  const long common =
-      first_where(0, static_cast<long>(std::floor(mean)) + 1, [&](long j) { return !rare(j); });
-  return at_most(binomial, common - 1) + at_least(binomial, k);
+  const long top = std::min(n, static_cast<long>(static_cast<double>(n + 1) * binomial.success_fraction()));
+  if (rare(top)) return 1.0;
+  const long common = first_where(0, top, [&](long j) { return !rare(j); });
+  const long tail = first_where(top, n + 1, rare);
+  return at_most(binomial, common - 1) + (tail > n ? 0.0 : at_least(binomial, tail));
 }
+
+// Outcomes whose probabilities differ by less than this part count as equally likely, as in R's binom.test.
+constexpr double kAlike = 1e-7;
 
 }  // namespace
 
@@ -54,9 +55,22 @@ PValues binomial_p(long correct, long trials, double chance) {
   require_counts(correct, trials);
   require_level(chance, "chance");
   const Binomial binomial(static_cast<double>(trials), chance);
+  const double seen = pdf(binomial, static_cast<double>(correct));
   return {.greater = at_least(binomial, correct),
           .less = at_most(binomial, correct),
-          .two_sided = std::min(1.0, two_sided(binomial, correct, trials))};
+          .two_sided = std::min(1.0, no_likelier_than(binomial, trials, seen * (1 + kAlike)))};
+}
+
+PValues binomial_mid_p(long correct, long trials, double chance) {
+  require_counts(correct, trials);
+  require_level(chance, "chance");
+  const Binomial binomial(static_cast<double>(trials), chance);
+  const double seen = pdf(binomial, static_cast<double>(correct));
+  const double as_likely = no_likelier_than(binomial, trials, seen * (1 + kAlike));
+  const double rarer = no_likelier_than(binomial, trials, seen * (1 - kAlike));
+  return {.greater = at_least(binomial, correct + 1) + seen / 2,
+          .less = at_most(binomial, correct - 1) + seen / 2,
+          .two_sided = std::min(1.0, (as_likely + rarer) / 2)};
 }
 
 BinomialTest binomial_test(long correct, long trials, double chance, Side side, double level) {
@@ -66,6 +80,8 @@ BinomialTest binomial_test(long correct, long trials, double chance, Side side, 
   test.interval = clopper_pearson(correct, trials, level);
   test.bound = clopper_pearson_bound(correct, trials, side, level);
   test.wilson = wilson(correct, trials, level);
+  test.jeffreys = jeffreys(correct, trials, level);
+  test.mid_p = binomial_mid_p(correct, trials, chance);
   test.method = {.name = side == Side::TwoSided
                              ? "exact binomial test (two-sided: outcomes no likelier than the one seen)"
                              : "exact binomial test",

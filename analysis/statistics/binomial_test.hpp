@@ -11,9 +11,11 @@ struct BinomialTest {
   Side side = Side::Greater;
   double proportion = 0.0;  // k/n
   PValues p{};
+  PValues mid_p{};
   Interval interval{};  // two-sided, Clopper-Pearson
   Interval bound{};     // the one that belongs to `side`: one-sided for greater and less
   Interval wilson{};
+  Interval jeffreys{};
   Method method{};
 };
 
@@ -26,5 +28,10 @@ BinomialTest binomial_test(long correct, long trials, double chance, Side side, 
 
 /// The p values alone.
 PValues binomial_p(long correct, long trials, double chance);
+
+/// The same with half of the probability of the outcomes that are as likely as the one seen (one-sided: of
+/// the one seen): mid-p values. They are less cautious: their false positives reach alpha on the average, and
+/// may exceed it a little. Source: [Lancaster1961]; at chance 1/2 as in [Fagerland2013].
+PValues binomial_mid_p(long correct, long trials, double chance);
 
 }  // namespace palpate::analysis

@@ -35,7 +35,7 @@ IntervalBias interval_bias(const OrderCounts& counts, DPrimeCorrection correctio
   bias.p = binomial_p(bias.answers_first, bias.answers, 0.5);
   if (counts.trials_first > 0 && counts.trials_second > 0) {
     bias.d_prime = dprime_2ifc_by_order(counts.correct_first, counts.trials_first, counts.correct_second,
-                                        counts.trials_second, correction);
+                                        counts.trials_second, correction, level);
   }
   bias.method = {.name = "exact binomial test of the answers '1' against 1/2",
                  .source = "Clopper & Pearson 1934"};

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
@@ -25,10 +24,7 @@ void fill_p(McNemarTest& test, long b) {
   const long n = test.discordant;
   if (n == 0) return;  // nothing speaks against equality: every p is 1, every statistic 0
   test.exact = binomial_p(b, n, 0.5);
-  const double seen =
-      pdf(boost::math::binomial_distribution<>(static_cast<double>(n), 0.5), static_cast<double>(b));
-  test.mid_p = {.greater = test.exact.greater - seen / 2, .less = test.exact.less - seen / 2};
-  test.mid_p.two_sided = std::min(1.0, 2 * std::min(test.mid_p.greater, test.mid_p.less));
+  test.mid_p = binomial_mid_p(b, n, 0.5);
 
   const double difference = std::abs(static_cast<double>(2 * b - n)), count = static_cast<double>(n);
   const double corrected = std::max(0.0, difference - 1);

@@ -21,7 +21,7 @@ struct McNemarTest {
   double odds_ratio = 0.0;         // conditional, b/c; infinite when c = 0 < b, NaN when both are 0
   Interval odds_ratio_interval{};  // exact, from Clopper-Pearson; 0 to infinity without discordant pairs
   PValues exact{};           // binomial on the discordant pairs; greater: the first is correct more often
-  PValues mid_p{};           // the same, half of the seen outcome's probability
+  PValues mid_p{};           // the same with half of what is as likely as the outcome seen
   double chi_squared = 0.0;  // (b - c)^2/(b + c), 1 degree of freedom
   double chi_squared_corrected = 0.0;  // (|b - c| - 1)^2/(b + c), with continuity correction
   double p_asymptotic = 1.0;           // two-sided

@@ -58,4 +58,15 @@ Interval wilson(long correct, long trials, double level) {
           .method = "Wilson score"};
 }
 
+Interval jeffreys(long correct, long trials, double level) {
+  require_counts(correct, trials);
+  require_level(level, "confidence level");
+  const double k = static_cast<double>(correct), n = static_cast<double>(trials), tail = (1 - level) / 2;
+  const boost::math::beta_distribution<> posterior(k + 0.5, n - k + 0.5);
+  return {.lower = correct == 0 ? 0.0 : quantile(posterior, tail),
+          .upper = correct == trials ? 1.0 : quantile(complement(posterior, tail)),
+          .level = level,
+          .method = "Jeffreys"};
+}
+
 }  // namespace palpate::analysis

@@ -12,6 +12,10 @@ Interval clopper_pearson(long correct, long trials, double level = 0.95);
 /// Source: [Wilson1927], without continuity correction.
 Interval wilson(long correct, long trials, double level = 0.95);
 
+/// Equal-tailed interval of the posterior Beta(k + 1/2, n - k + 1/2), with the ends 0 at k = 0 and 1 at k =
+/// n: mean coverage near `level`, like Wilson's. Source: [BrownCaiDasGupta2001] section 3.1.2 and 4.1.2.
+Interval jeffreys(long correct, long trials, double level = 0.95);
+
 /// One-sided exact bounds: the interval that belongs to a one-sided test at 1 - level. Greater gives
 /// (lower, 1), Less (0, upper), TwoSided the same as clopper_pearson.
 Interval clopper_pearson_bound(long correct, long trials, Side side, double level = 0.95);

@@ -9,6 +9,7 @@
 
 #include "analysis/statistics/binomial_test.hpp"
 #include "analysis/statistics/critical_number.hpp"
+#include "analysis/statistics/proportion_interval.hpp"
 
 namespace palpate::analysis {
 namespace {
@@ -27,7 +28,7 @@ Interval median_interval(const std::vector<double>& sorted, double level) {
 
 }  // namespace
 
-SignTest sign_test_of_counts(long positive, long negative) {
+SignTest sign_test_of_counts(long positive, long negative, double level) {
   if (positive < 0 || negative < 0) {
     throw std::invalid_argument(
         fmt::format("{} positive and {} negative differences; counts start at 0", positive, negative));
@@ -36,6 +37,12 @@ SignTest sign_test_of_counts(long positive, long negative) {
   SignTest test{
       .n = static_cast<std::size_t>(positive + negative), .positive = positive, .negative = negative};
   if (test.n > 0) test.p = binomial_p(positive, positive + negative, 0.5);
+  test.share_positive = kNone;
+  test.share_interval = {.lower = 0.0, .upper = 1.0, .level = level, .method = "none: no signs"};
+  if (test.n > 0) {
+    test.share_positive = static_cast<double>(positive) / static_cast<double>(positive + negative);
+    test.share_interval = clopper_pearson(positive, positive + negative, level);
+  }
   test.median = kNone;
   test.interval = {.lower = kNone, .upper = kNone};
   test.method = {.name = "sign test, exact", .source = "Conover 1999, section 3.4"};
@@ -48,7 +55,7 @@ SignTest sign_test(std::span<const double> differences, double level) {
   for (const double difference : differences) require_finite(difference, "difference");
   const auto positive = std::count_if(differences.begin(), differences.end(), [](double d) { return d > 0; });
   const auto negative = std::count_if(differences.begin(), differences.end(), [](double d) { return d < 0; });
-  SignTest test = sign_test_of_counts(positive, negative);
+  SignTest test = sign_test_of_counts(positive, negative, level);
   test.n = differences.size();
   test.zeros = static_cast<long>(test.n) - positive - negative;
   std::vector<double> sorted(differences.begin(), differences.end());

@@ -43,6 +43,24 @@ Ranks rank(std::span<const double> differences, Zeros zeros) {
   return ranks;
 }
 
+struct DoubledSums {
+  long positive = 0, all = 0;  // of the ranks
+};
+
+DoubledSums doubled_sums(const Ranks& ranks) {
+  DoubledSums sums;
+  for (std::size_t i = 0; i < ranks.doubled.size(); ++i) {
+    sums.all += ranks.doubled[i];
+    if (ranks.positive[i]) sums.positive += ranks.doubled[i];
+  }
+  return sums;
+}
+
+double rank_biserial(const Ranks& ranks) {
+  const auto [positive, all] = doubled_sums(ranks);
+  return all > 0 ? static_cast<double>(2 * positive - all) / static_cast<double>(all) : 0.0;
+}
+
 PValues exact_p(const Ranks& ranks, long doubled_v) {
   const std::vector<double> probability = sign_sum_distribution(ranks.doubled);
   const auto seen = probability.begin() + doubled_v;
@@ -136,14 +154,10 @@ SignedRankTest signed_rank_test(std::span<const double> differences, Zeros zeros
                       .zeros = differences.size() - ranks.doubled.size(),
                       .ties = ranks.ties,
                       .zeros_rule = zeros};
-  long positive = 0, all = 0;
-  for (std::size_t i = 0; i < ranks.doubled.size(); ++i) {
-    all += ranks.doubled[i];
-    if (ranks.positive[i]) positive += ranks.doubled[i];
-  }
+  const auto [positive, all] = doubled_sums(ranks);
   test.v = 0.5 * static_cast<double>(positive);
   test.v_max = 0.5 * static_cast<double>(all);
-  if (all > 0) test.rank_biserial = 2 * test.v / test.v_max - 1;
+  test.rank_biserial = rank_biserial(ranks);
   test.exact = ranks.doubled.size() <= kExact;
   test.p = test.exact ? exact_p(ranks, positive) : normal_p(ranks, test.v);
   estimate(differences, level, test);
@@ -153,6 +167,18 @@ SignedRankTest signed_rank_test(std::span<const double> differences, Zeros zeros
                           zeros == Zeros::Drop ? "zeros dropped" : "zeros by Pratt's rule"),
       .source = zeros == Zeros::Drop ? "Wilcoxon 1945" : "Wilcoxon 1945; Pratt 1959"};
   return test;
+}
+
+Interval rank_biserial_interval(std::span<const double> differences, Zeros zeros,
+                                const BootstrapOptions& options) {
+  validate(differences, options.level);
+  std::vector<double> drawn(differences.size());
+  const auto statistic = [&](std::span<const std::size_t> chosen) {
+    std::transform(chosen.begin(), chosen.end(), drawn.begin(),
+                   [&](std::size_t i) { return differences[i]; });
+    return rank_biserial(rank(drawn, zeros));
+  };
+  return bootstrap_interval(differences.size(), statistic, options);
 }
 
 }  // namespace palpate::analysis

@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "analysis/statistics/bootstrap.hpp"
 #include "analysis/statistics/result.hpp"
 
 namespace palpate::analysis {
@@ -37,5 +38,10 @@ struct SignedRankTest {
 /// interval is conservative where there are ties. Throws std::invalid_argument for no differences, more than
 /// 5000, or one that is not finite.
 SignedRankTest signed_rank_test(std::span<const double> differences, Zeros zeros, double level = 0.95);
+
+/// Percentile bootstrap interval for the rank-biserial correlation, over the differences. See
+/// bootstrap_interval.
+Interval rank_biserial_interval(std::span<const double> differences, Zeros zeros,
+                                const BootstrapOptions& options);
 
 }  // namespace palpate::analysis

@@ -35,11 +35,21 @@ ordered_json to_json(const Method& method) {
 }
 
 ordered_json to_json(const BinomialTest& test) {
-  return {
-      {"procedure", "binomial"},      {"correct", test.correct},        {"trials", test.trials},
-      {"chance", test.chance},        {"side", name_of(test.side)},     {"proportion", test.proportion},
-      {"p", test.p.of(test.side)},    {"p_values", to_json(test.p)},    {"interval", to_json(test.interval)},
-      {"bound", to_json(test.bound)}, {"wilson", to_json(test.wilson)}, {"method", to_json(test.method)}};
+  return {{"procedure", "binomial"},
+          {"correct", test.correct},
+          {"trials", test.trials},
+          {"chance", test.chance},
+          {"side", name_of(test.side)},
+          {"proportion", test.proportion},
+          {"p", test.p.of(test.side)},
+          {"p_values", to_json(test.p)},
+          {"mid_p", test.mid_p.of(test.side)},
+          {"mid_p_values", to_json(test.mid_p)},
+          {"interval", to_json(test.interval)},
+          {"bound", to_json(test.bound)},
+          {"wilson", to_json(test.wilson)},
+          {"jeffreys", to_json(test.jeffreys)},
+          {"method", to_json(test.method)}};
 }
 
 ordered_json to_json(const CriticalNumber& critical) {
@@ -71,8 +81,12 @@ ordered_json to_json(const SampleSize& size) {
 }
 
 ordered_json to_json(const DPrime& d_prime) {
+  const std::optional<Strategy>& strategy = d_prime.task.strategy;
   return {{"procedure", "dprime"},
-          {"task", "2IFC"},
+          {"task", name_of(d_prime.task)},
+          {"alternatives", d_prime.task.alternatives},
+          {"strategy", strategy ? ordered_json(name_of(*strategy)) : ordered_json(nullptr)},
+          {"chance", chance_of(d_prime.task)},
           {"correct", d_prime.correct},
           {"trials", d_prime.trials},
           {"proportion", d_prime.proportion},
@@ -95,6 +109,8 @@ ordered_json to_json(const IntervalBias& bias) {
   ordered_json d_prime = nullptr;
   if (bias.d_prime) {
     d_prime = {{"d_prime", to_json(bias.d_prime->d_prime)},
+               {"standard_error", to_json(bias.d_prime->standard_error)},
+               {"interval", to_json(bias.d_prime->interval)},
                {"criterion", to_json(bias.d_prime->criterion)},
                {"corrected", bias.d_prime->corrected},
                {"correction", name_of(bias.d_prime->correction)},
@@ -149,6 +165,8 @@ ordered_json to_json(const SignTest& test) {
           {"negative", test.negative},
           {"zeros", test.zeros},
           {"p_values", to_json(test.p)},
+          {"share_positive", to_json(test.share_positive)},
+          {"share_interval", to_json(test.share_interval)},
           {"median", to_json(test.median)},
           {"interval", to_json(test.interval)},
           {"method", to_json(test.method)}};

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
 
 #include <cmath>
 
@@ -111,4 +111,36 @@ TEST(BinomialTest, ExchangingRightAndWrongExchangesTheSides) {
     RC_ASSERT(std::abs(right.greater - wrong.less) <= 1e-12);
     RC_ASSERT(std::abs(right.two_sided - wrong.two_sided) <= 1e-12);
   }));
+}
+
+TEST(BinomialMidP, AgreesWithR) {
+  // R 4.2: d <- dbinom(0:n, n, p); f <- dbinom(k, n, p); greater pbinom(k, n, p, lower = FALSE) + f/2, less
+  // pbinom(k - 1, n, p) + f/2, two-sided sum(d[d < f*(1 - 1e-7)]) + sum(d[abs(d - f) <= f*1e-7])/2
+  const PValues paper = binomial_mid_p(41, 60, 0.5);
+  EXPECT_NEAR(paper.greater, 0.00222200973553344, 1e-14);
+  EXPECT_NEAR(paper.less, 0.99777799026446645, 1e-13);
+  EXPECT_NEAR(paper.two_sided, 0.00444401947106687, 1e-14);
+  const PValues quarter = binomial_mid_p(7, 30, 0.25);
+  EXPECT_NEAR(quarter.greater, 0.568827873946056, 1e-13);
+  EXPECT_NEAR(quarter.two_sided, 0.916882162970252, 1e-13);
+  EXPECT_NEAR(binomial_mid_p(9, 12, 1.0 / 3).two_sided, 0.00219967973867278, 1e-14);
+  EXPECT_NEAR(binomial_mid_p(0, 5, 0.25).two_sided, 0.22216796875, 1e-14);
+  EXPECT_NEAR(binomial_mid_p(10, 10, 1.0 / 3).greater, 8.46754390421513e-06, 1e-16);
+}
+
+TEST(BinomialP, OfManyChancesAgreesWithR) {
+  // R 4.2: binom.test(k, n, p)$p.value
+  EXPECT_NEAR(binomial_p(9, 12, 1.0 / 3).two_sided, 0.00385555499105263, 1e-14);
+  EXPECT_NEAR(binomial_p(0, 5, 0.25).two_sided, 0.3408203125, 1e-14);
+  EXPECT_NEAR(binomial_p(3, 17, 0.15).two_sided, 0.73269608955017, 1e-13);
+  EXPECT_EQ(binomial_p(2, 10, 0.2).two_sided, 1.0);
+  EXPECT_EQ(binomial_p(7, 30, 0.25).two_sided, 1.0);
+}
+
+RC_GTEST_PROP(BinomialMidP, IsTheExactOneLessHalfOfWhatIsAsLikely, ()) {
+  const long n = *rc::gen::inRange(1L, 80L), k = *rc::gen::inRange(0L, n + 1);
+  const double chance = *rc::gen::element(0.5, 1.0 / 3, 0.25, 0.1);
+  const PValues exact = binomial_p(k, n, chance), mid = binomial_mid_p(k, n, chance);
+  RC_ASSERT(std::abs(mid.greater + mid.less - 1) < 1e-12);
+  RC_ASSERT(mid.greater <= exact.greater && mid.less <= exact.less && mid.two_sided <= exact.two_sided);
 }

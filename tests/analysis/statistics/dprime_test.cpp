@@ -59,3 +59,13 @@ TEST(IntervalBias, IsSilentAboutAnOrderThatNeverCame) {
   EXPECT_FALSE(bias.d_prime.has_value());
   EXPECT_THROW(interval_bias({0, 0, 0, 0}, DPrimeCorrection::HalfTrial), std::invalid_argument);
 }
+
+TEST(IntervalBias, GivesDPrimeOfBothOrdersItsInterval) {
+  // R 4.2: g <- glm(cbind(c(26, 15), c(4, 15)) ~ c(.5, -.5), family = binomial("probit")), the second row the
+  // answers "first" where the second was correct; its slope, standard error and confint(), each over sqrt(2)
+  const DPrimeByOrder d = dprime_2ifc_by_order(26, 30, 15, 30, DPrimeCorrection::None);
+  EXPECT_NEAR(d.d_prime, 0.785434142473, 1e-9);
+  EXPECT_NEAR(d.standard_error, 0.260265727408, 1e-6);
+  EXPECT_NEAR(d.interval.lower, 0.287329406741, 5e-5);  // confint interpolates the profile
+  EXPECT_NEAR(d.interval.upper, 1.31164935799, 5e-5);
+}

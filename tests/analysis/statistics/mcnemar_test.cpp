@@ -45,3 +45,13 @@ TEST(McNemar, RefusesWhatIsNoTable) {
   EXPECT_THROW(mcnemar_test({0, 0, 0, 0}), std::invalid_argument);
   EXPECT_THROW(mcnemar_test({1, -2, 3, 4}), std::invalid_argument);
 }
+
+TEST(McNemar, AgreesWithFagerlandsMidP) {
+  // Fagerland, Lydersen & Laake 2013, table 1 (Bentur et al.): 1, 1, 7, 12; exact 0.0703, mid-p 0.0391.
+  // statsmodels 0.13: mcnemar([[1, 1], [7, 12]], exact=True).pvalue is 0.0703125; less dbinom(1, 8, .5).
+  const McNemarTest bentur = mcnemar_test({1, 1, 7, 12});
+  EXPECT_NEAR(bentur.exact.two_sided, 0.0703125, 1e-15);
+  EXPECT_NEAR(bentur.mid_p.two_sided, 0.0390625, 1e-15);
+  // Their supplement: with as many pairs on both sides 1 - dbinom(5, 10, .5)/2.
+  EXPECT_NEAR(mcnemar_test({3, 5, 5, 2}).mid_p.two_sided, 0.876953125, 1e-15);
+}

@@ -80,3 +80,20 @@ TEST(Wilson, CoversOnTheAverageWithAboutItsLevel) {
   for (int i = 1; i < 500; ++i) total += coverage(intervals, i / 500.0);
   EXPECT_NEAR(total / 499, 0.95, 0.01);  // Agresti & Coull 1998, fig. 2: within a percent from n = 5 on
 }
+
+TEST(Jeffreys, AgreesWithStatsmodelsAndR) {
+  // statsmodels 0.13: proportion_confint(41, 60, method="jeffreys"); R 4.2: qbeta(c(.025, .975), 41.5, 19.5)
+  EXPECT_NEAR(jeffreys(41, 60).lower, 0.5591577353271098, kRelative);
+  EXPECT_NEAR(jeffreys(41, 60).upper, 0.7902983053789724, kRelative);
+  EXPECT_EQ(jeffreys(0, 10).lower, 0.0);
+  EXPECT_NEAR(jeffreys(0, 10).upper, 0.217196267509211, kRelative);  // R 4.2: qbeta(.975, .5, 10.5)
+  EXPECT_EQ(jeffreys(10, 10).upper, 1.0);
+}
+
+TEST(Jeffreys, CoversOnTheAverageWithAboutItsLevel) {
+  std::vector<Interval> intervals;
+  for (long k = 0; k <= 60; ++k) intervals.push_back(jeffreys(k, 60));
+  double total = 0.0;
+  for (int i = 1; i < 500; ++i) total += coverage(intervals, i / 500.0);
+  EXPECT_NEAR(total / 499, 0.95, 0.01);  // Brown, Cai & DasGupta 2001, fig. 5
+}

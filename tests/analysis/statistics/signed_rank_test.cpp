@@ -104,3 +104,22 @@ TEST(SignTest, AgreesWithTheBinomial) {
               1e-15);  // binom.test(12, 15, alternative = "greater")
   EXPECT_EQ(sign_test_of_counts(0, 0).p.two_sided, 1.0);
 }
+
+TEST(SignedRank, BootstrapsItsEffectSizeLikeR) {
+  // R 4.2: rb <- function(d) {d0 <- d[d != 0]; r <- rank(abs(d))[d != 0]; (sum(r[d0 > 0]) - sum(r[d0 <
+  // 0]))/sum(r)}; quantile(replicate(40000, rb(sample(d, 10, TRUE))), c(.025, .975), type = 6): few values,
+  // so the ends agree
+  const std::vector<double> d = {3, 1, 2, -1, 4, 2, 0, 3, 1, 2};
+  EXPECT_NEAR(signed_rank_test(d, Zeros::Pratt).rank_biserial, 0.888888888888889, 1e-14);
+  const Interval interval = rank_biserial_interval(d, Zeros::Pratt, {});
+  EXPECT_NEAR(interval.lower, 0.538461538461538, 0.01);
+  EXPECT_EQ(interval.upper, 1);
+}
+
+TEST(SignTest, GivesTheShareOfPositiveDifferences) {
+  const SignTest test = sign_test(std::vector<double>{3, 1, 2, -1, 4, 2, 0, 3, 1, 2});
+  EXPECT_NEAR(test.share_positive, 8.0 / 9, 1e-15);
+  EXPECT_NEAR(test.share_interval.lower, 0.517503485082663, 1e-9);  // R 4.2: binom.test(8, 9)$conf.int
+  EXPECT_NEAR(test.share_interval.upper, 0.997190863253401, 1e-9);
+  EXPECT_TRUE(std::isnan(sign_test(std::vector<double>{0, 0}).share_positive));
+}
