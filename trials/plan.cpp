@@ -1,5 +1,7 @@
 #include "trials/plan.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 #include <utility>
@@ -65,6 +67,10 @@ std::vector<Trial> draw_plan(const Protocol& protocol, Generator& generator) {
     }
   }
   return plan;
+}
+
+std::string order_purpose(std::string_view examinee, int sitting) {
+  return fmt::format("order of {}, sitting {}", examinee, sitting);
 }
 
 Trial redraw(const Protocol& protocol, Trial trial, Generator& generator) {

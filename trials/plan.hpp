@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "trials/protocol.hpp"
@@ -24,6 +26,9 @@ struct Trial {
 /// balances, either order in half of each cell's trials, in random sequence. To be stored trial by trial,
 /// never derived again.
 std::vector<Trial> draw_plan(const Protocol& protocol, Generator& generator);
+
+/// What the order of a sitting is drawn for: the purpose of its generator.
+std::string order_purpose(std::string_view examinee, int sitting);
 
 /// Draws the order of intervals of an interrupted trial again; its cell stays. A balanced order is kept,
 /// since a new draw of one trial would unbalance it.

@@ -77,8 +77,7 @@ void Session::State::begin(const SessionFacts& facts, const std::vector<SessionR
                }));
   row.started_utc = utc_now();
   row.id = stores.sessions.add(row);
-  Generator generator =
-      make_generator(facts.seed, fmt::format("order of {}, sitting {}", facts.examinee, row.number));
+  Generator generator = make_generator(facts.seed, order_purpose(facts.examinee, row.number));
   for (Trial& trial : draw_plan(protocol, generator)) {
     pending.push_back({.session = row.id, .draw = 0, .trial = std::move(trial)});
     stores.trials.add(pending.back());

@@ -36,7 +36,7 @@ Seed person_seed(const StudyFile& study, const SimulationPlan& plan) {
 std::vector<SimulatedTrial> play_all(const Protocol& protocol, const Stimuli& stimuli,
                                      const ObserverParameters& parameters, Seed seed_of_person,
                                      const SessionRow& sitting, const std::vector<DrawnTrial>& pending) {
-  Generator generator = make_generator(seed_of_person, "person " + sitting.facts.examinee);
+  Generator generator = make_generator(seed_of_person, person_purpose(sitting.facts.examinee));
   const Observer observer = draw_observer(parameters, generator);
   std::vector<SimulatedTrial> played;
   for (const DrawnTrial& drawn : pending) played.push_back(play(protocol, stimuli, observer, sitting, drawn));
@@ -94,6 +94,8 @@ void check_same_population(const std::vector<SessionRow>& sessions, const Simula
   }
 }
 
+}  // namespace
+
 void check_observer(const Protocol& protocol, const ObserverParameters& observer) {
   if (observer.depth.mean < protocol.exploration.min_depth)
     throw std::invalid_argument(
@@ -108,8 +110,6 @@ void check_observer(const Protocol& protocol, const ObserverParameters& observer
                                             observer.name, kObserverCycles / kObserverRate,
                                             protocol.exploration.max_time));
 }
-
-}  // namespace
 
 SimulatedTrial play(const Protocol& protocol, const Stimuli& stimuli, const Observer& observer,
                     const SessionRow& sitting, const DrawnTrial& drawn) {
@@ -134,6 +134,10 @@ SimulatedTrial play(const Protocol& protocol, const Stimuli& stimuli, const Obse
   }
   trial.response = answer(percepts.at(0), percepts.at(1), observer, mind);
   return trial;
+}
+
+std::string person_purpose(std::string_view examinee) {
+  return fmt::format("person {}", examinee);
 }
 
 std::string simulated_code(int number) {

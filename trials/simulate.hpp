@@ -43,6 +43,9 @@ using Progress = std::function<bool(int done, int total)>;
 /// The code of simulated examinee `number` (from 1): S01.
 std::string simulated_code(int number);
 
+/// What a simulated person is drawn for: the purpose of its generator.
+std::string person_purpose(std::string_view examinee);
+
 /// Facts of a simulated sitting, for check_start().
 SessionFacts simulated_facts(const SimulationPlan& plan, int number);
 
@@ -54,6 +57,9 @@ SimulationReport simulate(StudyFile& study, const Protocol& protocol, const Stim
 
 /// Throws std::invalid_argument where the device would cut both conditions of a cell to one force.
 void check_clamping(const Protocol& protocol, const Stimuli& stimuli, const ObserverParameters& observer);
+
+/// Throws std::invalid_argument where the observer's hand cannot do what the protocol asks of an interval.
+void check_observer(const Protocol& protocol, const ObserverParameters& observer);
 
 /// Refuses what simulate() would refuse, and writes nothing.
 void check_simulation(const std::filesystem::path& path, const Protocol& protocol,

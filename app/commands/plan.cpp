@@ -7,6 +7,8 @@
 
 #include "app/commands/commands.hpp"
 #include "app/output.hpp"
+#include "app/power_simulation.hpp"
+#include "app/simulation.hpp"
 #include "app/study_plan.hpp"
 
 namespace palpate::app {
@@ -15,10 +17,27 @@ namespace {
 struct Options {
   std::string protocol, freeze, format;
   double overdispersion = 0.0;
+  long studies = 0;
+  std::uint64_t seed = 1;
+  std::string observer, shard = "1/1";
 };
+
+void run_simulation(const Options& options, const trials::Protocol& protocol) {
+  PowerSimulation simulation{
+      .studies = options.studies, .seed = options.seed, .observer = default_observer()};
+  if (!options.observer.empty()) simulation.observer = options.observer;
+  read_shard(options.shard, simulation);
+  const nlohmann::ordered_json result = simulate_power(protocol, simulation);
+  if (options.format == "json") {
+    fmt::print("{}\n", result.dump(1));
+  } else {
+    fmt::print("{}", power_in_words(result));
+  }
+}
 
 void run(const Options& options) {
   const trials::Protocol protocol = trials::load_protocol(options.protocol);
+  if (options.studies > 0) return run_simulation(options, protocol);
   const StudyPlan plan = study_plan(protocol, options.overdispersion);
   const std::string frozen = options.freeze.empty() ? "" : freeze_plan(protocol, options.freeze);
   if (options.format == "json") {
@@ -45,11 +64,26 @@ void add_plan(CLI::App& app) {
       "--freeze", options->freeze,
       "Write the analysis plan into this study file, before the first answer; the report then says "
       "what deviates from it");
+  command
+      ->add_option("--studies", options->studies,
+                   "Instead: power by playing so many whole studies with simulated observers")
+      ->check(CLI::Range(1L, 1'000'000L))
+      ->excludes("--freeze");
+  command->add_option("--observer", options->observer, "What they are like (default: observers/default.toml)")
+      ->needs("--studies");
+  command->add_option("--seed", options->seed, "Of the simulated studies")
+      ->needs("--studies")
+      ->capture_default_str();
+  command
+      ->add_option("--shard", options->shard,
+                   "Play only part K of N of the studies, as K/N; palpate stats merge joins the parts")
+      ->needs("--studies");
   add_format(*command, options->format);
   command->footer(
       "Examples:\n"
       "  palpate plan protocols/kuroda2003.toml --overdispersion 0.1\n"
-      "  palpate plan protocols/kuroda2003.toml --freeze study.db\n");
+      "  palpate plan protocols/kuroda2003.toml --freeze study.db\n"
+      "  palpate plan protocols/kuroda2003.toml --studies 100 --shard 1/4 --format json > part1.json\n");
   command->callback([options] { run(*options); });
 }
 

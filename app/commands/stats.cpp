@@ -1,14 +1,18 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <fstream>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "analysis/procedures/procedure.hpp"
 #include "app/commands/commands.hpp"
 #include "app/output.hpp"
+#include "app/power_simulation.hpp"
 #include "app/procedure_help.hpp"
 #include "app/read_csv.hpp"
 #include "app/stats_batch.hpp"
@@ -102,6 +106,40 @@ void add_batch(CLI::App& stats) {
   command->callback([file] { run_batch(*file); });
 }
 
+nlohmann::ordered_json read_part(const std::string& file) {
+  std::ifstream in(file);
+  if (!in) throw std::invalid_argument(file + ": cannot be opened: no such file, or no right to read it");
+  const auto part = nlohmann::ordered_json::parse(in, nullptr, false);
+  if (part.is_object()) return part;
+  throw std::invalid_argument(file + ": no JSON object; accepted: what --shard K/N --format json printed");
+}
+
+void merge(const std::vector<std::string>& files, const std::string& format) {
+  std::vector<nlohmann::ordered_json> parts;
+  for (const std::string& file : files) {
+    parts.push_back(read_part(file));
+    if (parts.back().value("kind", "") != "power simulation")
+      throw std::invalid_argument(file + ": no part of a power simulation");
+  }
+  const nlohmann::ordered_json whole = merge_power(parts);
+  fmt::print("{}", format == "json" ? whole.dump(1) + "\n" : power_in_words(whole));
+}
+
+void add_merge(CLI::App& stats) {
+  CLI::App* command = stats.add_subcommand("merge", "Joins the parts that --shard K/N computed");
+  command->footer(
+      "The result has the same bits as one run.\n\n"
+      "Example:\n"
+      "  palpate plan protocols/kuroda2003.toml --studies 100 --shard 1/2 --format json > part1.json\n"
+      "  palpate plan protocols/kuroda2003.toml --studies 100 --shard 2/2 --format json > part2.json\n"
+      "  palpate stats merge part1.json part2.json\n");
+  const auto files = std::make_shared<std::vector<std::string>>();
+  const auto format = std::make_shared<std::string>();
+  command->add_option("FILES", *files, "What each part printed with --format json")->required();
+  add_format(*command, *format);
+  command->callback([files, format] { merge(*files, *format); });
+}
+
 }  // namespace
 
 void add_stats(CLI::App& app) {
@@ -114,6 +152,7 @@ void add_stats(CLI::App& app) {
   for (const Procedure& procedure : analysis::procedures()) add_procedure(*stats, procedure);
   add_batch(*stats);
   add_list(*stats);
+  add_merge(*stats);
 }
 
 }  // namespace palpate::app
