@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "analysis/psychometric/design.hpp"
+
+namespace palpate::analysis {
+
+/// A function of the model's family on the design's scale: eta = intercept + rise v.
+struct Line {
+  double intercept = 0.0;
+  double rise = 0.0;
+  double lapse = 0.0;
+};
+
+/// Log likelihood without the binomial coefficients, with its derivatives by (intercept, rise, lapse);
+/// matrices as xx, xy, xz, yy, yz, zz.
+struct Likelihood {
+  double value = 0.0;
+  std::array<double, 3> gradient{};
+  std::array<double, 6> observed{};  // information: minus the second derivatives
+  std::array<double, 6> expected{};  // Fisher's information
+};
+
+Likelihood likelihood(const Design& design, std::span<const double> correct, const Line& line);
+
+/// The value alone.
+double log_likelihood(const Design& design, std::span<const double> correct, const Line& line);
+
+/// k log p + (n - k) log q, with 0 log 0 = 0.
+double log_binomial(double k, double n, double p, double q);
+
+}  // namespace palpate::analysis
