@@ -49,8 +49,7 @@ Step best_step(const Likelihood& here, double z_lower, double z_upper) {
   if (held) z_lower = z_upper = 0;  // at its bound and pushed against it
   if (const auto newton = summit(here.observed, here.gradient, z_lower, z_upper)) return *newton;
   std::array<double, 6> ridged = here.expected;  // positive semidefinite by its making
-  for (const std::size_t diagonal : {0U, 3U, 5U})
-    ridged[diagonal] = ridged[diagonal] * (1 + 1e-6) + 1e-10;
+  for (const std::size_t diagonal : {0U, 3U, 5U}) ridged[diagonal] = ridged[diagonal] * (1 + 1e-6) + 1e-10;
   if (const auto scoring = summit(ridged, here.gradient, z_lower, z_upper)) return *scoring;
   return {0.0, 0.0, 0.0};
 }
@@ -71,8 +70,7 @@ Climb climb(const Design& design, std::span<const double> correct, const Line& s
   while (at.iterations < kMostIterations && at.line.rise > kLeastRise && at.line.rise < steepest) {
     ++at.iterations;
     const Step step = best_step(here, lapse_lower - at.line.lapse, lapse_upper - at.line.lapse);
-    const double gain =
-        step[0] * here.gradient[0] + step[1] * here.gradient[1] + step[2] * here.gradient[2];
+    const double gain = step[0] * here.gradient[0] + step[1] * here.gradient[1] + step[2] * here.gradient[2];
     if (!(gain > 0)) break;
     // The slope stays positive: a step goes at most four fifths of the way to zero.
     double share = step[1] < -0.8 * at.line.rise ? -0.8 * at.line.rise / step[1] : 1.0;

@@ -48,16 +48,16 @@ std::optional<std::string> unfit_levels(std::span<const Block> blocks, const Psy
   std::set<double> levels;
   for (const Block& block : blocks) levels.insert(block.level);
   if (on_log_levels(model.shape) && *levels.begin() <= 0) {
-    return fmt::format("the Weibull function starts at level 0, and there is a level {}; take another shape "
-                       "or levels above 0",
-                       *levels.begin());
+    return fmt::format(
+        "the Weibull function starts at level 0, and there is a level {}; take another shape "
+        "or levels above 0",
+        *levels.begin());
   }
   if (std::ssize(levels) >= free_parameters(model)) return std::nullopt;
-  return fmt::format("{} distinct level{} for {} free parameters ({}); {}", levels.size(),
-                     levels.size() == 1 ? "" : "s", free_parameters(model),
-                     lapse_is_free(model) ? "threshold, slope, lapse" : "threshold, slope",
-                     levels.size() == 2 ? "fix the lapse rate or measure at more levels"
-                                        : "measure at more levels");
+  return fmt::format(
+      "{} distinct level{} for {} free parameters ({}); {}", levels.size(), levels.size() == 1 ? "" : "s",
+      free_parameters(model), lapse_is_free(model) ? "threshold, slope, lapse" : "threshold, slope",
+      levels.size() == 2 ? "fix the lapse rate or measure at more levels" : "measure at more levels");
 }
 
 Design make_design(std::span<const Block> blocks, const PsychometricModel& model) {

@@ -24,9 +24,9 @@ Likelihood add_rows(const Design& design, std::span<const double> correct, const
     const double q = std::max(line.lapse + span * shape.above, kTiny);
     sum.value += log_binomial(k, n, p, q);
     const double hit = k / p, miss = (n - k) / q;
-    const double by_psi = hit - miss;                     // dl/dpsi
-    const double seen = hit / p + miss / q;               // -d2l/dpsi2
-    const double fisher = n / (p * q);                    // its expectation
+    const double by_psi = hit - miss;                           // dl/dpsi
+    const double seen = hit / p + miss / q;                     // -d2l/dpsi2
+    const double fisher = n / (p * q);                          // its expectation
     const double px = span * shape.density, pz = -shape.below;  // dpsi/dintercept, dpsi/dlapse
     const double pxx = span * shape.bend, pxz = -shape.density;
     g[0] += by_psi * px;

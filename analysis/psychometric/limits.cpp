@@ -58,8 +58,7 @@ StepLimit best_step(const Design& design, std::span<const double> correct) {
 
 FlatLimit best_flat(const Design& design, std::span<const double> correct) {
   const Counts all = between(design, correct, 0, correct.size());
-  const double p =
-      std::clamp(all.correct / all.trials, design.model.guess, 1 - design.model.lapse_lower);
+  const double p = std::clamp(all.correct / all.trials, design.model.guess, 1 - design.model.lapse_lower);
   return {.log_likelihood = log_at(all, p), .probability = p};
 }
 

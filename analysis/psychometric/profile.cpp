@@ -208,8 +208,7 @@ Interval profile_interval(const Fitter& fitter, std::span<const double> correct,
   const Design& design = fitter.design();
   const Shape shape = design.model.shape;
   Interval interval{.lower = -kInfinity, .upper = kInfinity, .level = level, .method = "profile likelihood"};
-  const double cut =
-      fit.log_likelihood - 0.5 * quantile(boost::math::chi_squared_distribution<>(1), level);
+  const double cut = fit.log_likelihood - 0.5 * quantile(boost::math::chi_squared_distribution<>(1), level);
   if (measure == Measure::Lapse) {
     const double inside = fit.kind == FitKind::Flat ? design.model.lapse_lower : fit.lapse;
     lapse_ends(interval, design, correct, inside, cut);

@@ -15,8 +15,8 @@ Shape shape_from_name(std::string_view name) {
        {Shape::Logistic, Shape::Gaussian, Shape::Weibull, Shape::GumbelLeft, Shape::GumbelRight}) {
     if (name == name_of(shape)) return shape;
   }
-  throw std::invalid_argument(fmt::format(
-      "shape is '{}'; accepted: logistic, gaussian, weibull, gumbel-left, gumbel-right", name));
+  throw std::invalid_argument(
+      fmt::format("shape is '{}'; accepted: logistic, gaussian, weibull, gumbel-left, gumbel-right", name));
 }
 
 std::string_view name_of(Shape shape) {

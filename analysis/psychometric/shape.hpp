@@ -5,7 +5,8 @@
 namespace palpate::analysis {
 
 /// The form F of a psychometric function psi(x) = guess + (1 - guess - lapse) F(x). Every form is a standard
-/// distribution function of eta = beta (u - alpha), where u is the level x, or log x for the Weibull function.
+/// distribution function of eta = beta (u - alpha), where u is the level x, or log x for the Weibull
+/// function.
 enum class Shape {
   Logistic,    // F = 1/(1 + exp(-eta))
   Gaussian,    // F = Phi(eta), the cumulative Gaussian

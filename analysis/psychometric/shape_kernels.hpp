@@ -23,8 +23,7 @@ struct LogisticKernel {
 struct GaussianKernel {
   static ShapeValue at(double eta) {
     const double small = 0.5 * std::erfc(std::abs(eta) * (0.5 * std::numbers::sqrt2));
-    const double density =
-        0.5 * std::numbers::sqrt2 * std::numbers::inv_sqrtpi * std::exp(-0.5 * eta * eta);
+    const double density = 0.5 * std::numbers::sqrt2 * std::numbers::inv_sqrtpi * std::exp(-0.5 * eta * eta);
     return {eta < 0 ? small : 1 - small, eta < 0 ? 1 - small : small, density, -eta * density};
   }
 };

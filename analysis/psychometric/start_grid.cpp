@@ -8,7 +8,7 @@
 namespace palpate::analysis {
 namespace {
 
-constexpr double kLog0 = -300.0;  // instead of minus infinity, which times no answers were no number
+constexpr double kLog0 = -300.0;   // instead of minus infinity, which times no answers were no number
 constexpr double kHopeless = 3.0;  // below the best start: no climb from there was seen to end above
 
 double floored_log(double p) {
