@@ -12,7 +12,8 @@ using Step = std::array<double, 3>;
 
 constexpr int kMostIterations = 100;
 constexpr int kMostHalvings = 40;
-constexpr double kLeastGain = 1e-13;  // of log likelihood
+constexpr double kLeastGain = 1e-13;  // of log likelihood, by scoring, which closes in by a factor
+constexpr double kNewtonGain = 1e-9;  // by Newton's method, which squares what is left
 constexpr double kRoundOff = 1e-12;   // of it, relative: a fall by less is none
 constexpr double kLeastRise = 1e-7;   // eta over half the range of levels
 constexpr double kSteepest = 60.0;    // eta between neighbouring levels: F goes from 1e-13 to 1 - 1e-13
@@ -44,14 +45,19 @@ std::optional<Step> summit(const std::array<double, 6>& m, const std::array<doub
   return Step{g[0] / m[0] - l10 * y - l20 * z, y, z};
 }
 
-Step best_step(const Likelihood& here, double z_lower, double z_upper) {
+struct Direction {
+  Step step{};
+  bool newton = false;
+};
+
+Direction uphill(const Likelihood& here, double z_lower, double z_upper) {
   const bool held = (z_lower == 0 && here.gradient[2] <= 0) || (z_upper == 0 && here.gradient[2] >= 0);
   if (held) z_lower = z_upper = 0;  // at its bound and pushed against it
-  if (const auto newton = summit(here.observed, here.gradient, z_lower, z_upper)) return *newton;
+  if (const auto newton = summit(here.observed, here.gradient, z_lower, z_upper)) return {*newton, true};
   std::array<double, 6> ridged = here.expected;  // positive semidefinite by its making
   for (const std::size_t diagonal : {0U, 3U, 5U}) ridged[diagonal] = ridged[diagonal] * (1 + 1e-6) + 1e-10;
-  if (const auto scoring = summit(ridged, here.gradient, z_lower, z_upper)) return *scoring;
-  return {0.0, 0.0, 0.0};
+  if (const auto scoring = summit(ridged, here.gradient, z_lower, z_upper)) return {*scoring};
+  return {};
 }
 
 Line moved(const Line& from, const Step& step, double share) {
@@ -60,18 +66,28 @@ Line moved(const Line& from, const Step& step, double share) {
           .lapse = from.lapse + share * step[2]};
 }
 
+// Whether a climb that is about to be at `next` ends where the rival stands.
+bool meets(const Line& next, const Line& rival) {
+  const double near = 0.01 * (1 + rival.rise);
+  return std::abs(next.rise - rival.rise) < near && std::abs(next.intercept - rival.intercept) < near &&
+         std::abs(next.lapse - rival.lapse) < 0.002;
+}
+
 }  // namespace
 
-Climb climb(const Design& design, std::span<const double> correct, const Line& start) {
+Climb climb(const Design& design, std::span<const double> correct, const Line& start, const Climb* rival) {
   const double lapse_lower = design.model.lapse_lower, lapse_upper = design.model.lapse_upper;
   const double steepest = kSteepest / design.least_gap;
   Climb at{.line = start};
   Likelihood here = likelihood(design, correct, at.line);
   while (at.iterations < kMostIterations && at.line.rise > kLeastRise && at.line.rise < steepest) {
     ++at.iterations;
-    const Step step = best_step(here, lapse_lower - at.line.lapse, lapse_upper - at.line.lapse);
+    const auto [step, newton] = uphill(here, lapse_lower - at.line.lapse, lapse_upper - at.line.lapse);
     const double gain = step[0] * here.gradient[0] + step[1] * here.gradient[1] + step[2] * here.gradient[2];
     if (!(gain > 0)) break;
+    // The parabola's summit is gain/2 higher: twice that leaves it room to be wrong.
+    if (rival && newton && here.value + gain < rival->log_likelihood) break;
+    if (rival && newton && meets(moved(at.line, step, 1.0), rival->line)) break;
     // The slope stays positive: a step goes at most four fifths of the way to zero.
     double share = step[1] < -0.8 * at.line.rise ? -0.8 * at.line.rise / step[1] : 1.0;
     const double floor = here.value - kRoundOff * (1 + std::abs(here.value));
@@ -86,7 +102,7 @@ Climb climb(const Design& design, std::span<const double> correct, const Line& s
     line.lapse = std::clamp(line.lapse, lapse_lower, lapse_upper);  // against round-off alone
     at.line = line;
     here = there;
-    if (gain < kLeastGain) break;
+    if (gain < (newton ? kNewtonGain : kLeastGain)) break;
   }
   at.log_likelihood = here.value;
   return at;

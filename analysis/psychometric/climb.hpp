@@ -15,7 +15,8 @@ struct Climb {
 /// Newton's method from `start` uphill to a local maximum with rise > 0 and the lapse rate within its bounds:
 /// with the observed information where it is positive definite, else with Fisher's (scoring), each step
 /// halved until the likelihood does not fall. Stops where a step promises less than 1e-13, or the function is
-/// all but a step or flat. A start of likelihood 0 is given back as it is.
-Climb climb(const Design& design, std::span<const double> correct, const Line& start);
+/// all but a step or flat; and, given a rival, as soon as it would end where the rival did or below it.
+Climb climb(const Design& design, std::span<const double> correct, const Line& start,
+            const Climb* rival = nullptr);
 
 }  // namespace palpate::analysis

@@ -57,7 +57,7 @@ Fitter::Fitter(Design design) : design_(std::move(design)), grid_(design_) {}
 PsychometricFit Fitter::fit(std::span<const double> correct) const {
   Climb best{.log_likelihood = -kInfinity};
   for (const Line& start : grid_.starts(correct)) {
-    const Climb other = climb(design_, correct, start);
+    const Climb other = climb(design_, correct, start, &best);
     if (other.log_likelihood > best.log_likelihood) best = other;
   }
   return judged(design_, correct, best);

@@ -23,10 +23,11 @@ Likelihood add_rows(const Design& design, std::span<const double> correct, const
     const double p = std::max(guess + span * shape.below, kTiny);
     const double q = std::max(line.lapse + span * shape.above, kTiny);
     sum.value += log_binomial(k, n, p, q);
-    const double hit = k / p, miss = (n - k) / q;
+    const double by_p = 1 / p, by_q = 1 / q;
+    const double hit = k * by_p, miss = (n - k) * by_q;
     const double by_psi = hit - miss;                           // dl/dpsi
-    const double seen = hit / p + miss / q;                     // -d2l/dpsi2
-    const double fisher = n / (p * q);                          // its expectation
+    const double seen = hit * by_p + miss * by_q;               // -d2l/dpsi2
+    const double fisher = n * by_p * by_q;                      // its expectation
     const double px = span * shape.density, pz = -shape.below;  // dpsi/dintercept, dpsi/dlapse
     const double pxx = span * shape.bend, pxz = -shape.density;
     g[0] += by_psi * px;

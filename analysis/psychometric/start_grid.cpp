@@ -70,11 +70,10 @@ std::vector<Line> StartGrid::starts(std::span<const double> correct) const {
       best.emplace_back(*top, line(static_cast<std::size_t>(top - sum.begin()), lapses_[l]));
     }
   }
-  double greatest = best.front().first;
-  for (const auto& [value, line] : best) greatest = std::max(greatest, value);
+  std::sort(best.begin(), best.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<Line> lines;
   for (const auto& [value, line] : best) {
-    if (value > greatest - kHopeless) lines.push_back(line);
+    if (value > best.front().first - kHopeless) lines.push_back(line);
   }
   return lines;
 }
