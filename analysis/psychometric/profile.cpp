@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <functional>
@@ -11,6 +10,7 @@
 
 #include "analysis/psychometric/limits.hpp"
 #include "analysis/psychometric/measures.hpp"
+#include "analysis/psychometric/search.hpp"
 
 namespace palpate::analysis {
 namespace {
@@ -63,20 +63,8 @@ double best_over_lapse(const Design& design, std::span<const double> correct, Li
 
 double best_over_free(const Design& design, std::span<const double> correct, const Axis& axis, double place) {
   const double from = axis.free_from(place), to = axis.free_to(place);
-  const auto loss = [&](double free) { return -best_over_lapse(design, correct, axis.line(place, free)); };
-  const auto at = [&](int i) { return from + (to - from) * i / kScan; };
-  double best = kInfinity;
-  int where = 0;
-  for (int i = 0; i <= kScan; ++i) {
-    const double value = loss(at(i));
-    if (value < best) {
-      best = value;
-      where = i;
-    }
-  }
-  const auto refined = boost::math::tools::brent_find_minima(loss, at(std::max(where - 1, 0)),
-                                                             at(std::min(where + 1, kScan)), 26);
-  return -std::min(best, refined.second);
+  const auto height = [&](double free) { return best_over_lapse(design, correct, axis.line(place, free)); };
+  return greatest(height, from, to, kScan).value;
 }
 
 Axis level_axis(const Design& design, double at) {
