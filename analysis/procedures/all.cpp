@@ -9,13 +9,16 @@ namespace palpate::analysis {
 
 const std::vector<Procedure>& procedures() {
   static const std::vector<Procedure> all = {
-      binomial_procedure(),     //
-      critical_procedure(),     //
-      dprime_procedure(),       //
-      mcnemar_procedure(),      //
-      permutation_procedure(),  //
-      sign_procedure(),         //
-      wilcoxon_procedure(),     //
+      binomial_procedure(),              //
+      critical_procedure(),              //
+      dprime_procedure(),                //
+      mcnemar_procedure(),               //
+      permutation_procedure(),           //
+      psychometric_procedure(),          //
+      psychometric_bayes_procedure(),    //
+      psychometric_compare_procedure(),  //
+      sign_procedure(),                  //
+      wilcoxon_procedure(),              //
   };
   return all;
 }

@@ -11,6 +11,9 @@ Procedure critical_procedure();
 Procedure dprime_procedure();
 Procedure mcnemar_procedure();
 Procedure permutation_procedure();
+Procedure psychometric_bayes_procedure();
+Procedure psychometric_compare_procedure();
+Procedure psychometric_procedure();
 Procedure sign_procedure();
 Procedure wilcoxon_procedure();
 
