@@ -90,9 +90,9 @@ Outcome run(const Arguments& asked) {
                              name_of(model.shape), model.guess == 0 ? "0" : chance_in_words(model.guess));
   if (answered) {
     outcome.text +=
-        fmt::format("That {}: {} (chi-squared {} on {} degrees of freedom, an approximation)\n",
-                    hypothesis_of(same), p_in_words(found.p), number(found.chi_squared),
-                    number(found.degrees_of_freedom)) +
+        fmt::format("That {}: {} (chi-squared {} on {} of freedom, an approximation)\n", hypothesis_of(same),
+                    p_in_words(found.p), number(found.chi_squared),
+                    counted(static_cast<long>(found.degrees_of_freedom), "degree", "degrees")) +
         fmt::format("A function for each, lapse rate {} for all:\n", percent(found.separate.lapse)) +
         table_of(outcome.json["separate"]) +
         fmt::format("If {}, lapse rate {}:\n", hypothesis_of(same), percent(found.same.lapse)) +

@@ -58,8 +58,9 @@ std::string discrimination_lines(const PsychometricResult& result) {
 }
 
 std::string deviance_line(const PsychometricResult& result) {
-  std::string line = fmt::format("Deviance {} on {} degrees of freedom", number(result.deviance),
-                                 number(result.degrees_of_freedom));
+  std::string line = fmt::format("Deviance {} on {}", number(result.deviance),
+                                 counted(static_cast<long>(result.degrees_of_freedom), "degree", "degrees")) +
+                     " of freedom";
   if (result.p_bootstrap) {
     line += fmt::format("; {} among {} parametric bootstrap replicates", p_in_words(*result.p_bootstrap),
                         result.request.replicates);

@@ -51,7 +51,7 @@ double order_statistic(const std::vector<double>& sorted, double place) {
   const double low = sorted[static_cast<std::size_t>(floor) - 1];
   if (share == 0 || floor >= static_cast<double>(sorted.size())) return low;
   const double high = sorted[static_cast<std::size_t>(floor)];
-  return low == high ? low : low + share * (high - low);
+  return low == high || std::isinf(low) ? low : low + share * (high - low);
 }
 
 }  // namespace
@@ -107,7 +107,9 @@ Interval percentile_interval(std::span<const Replicate> replicates,
   std::sort(high.begin(), high.end());
   Interval interval{
       .lower = -kInfinity, .upper = kInfinity, .level = level, .method = "bootstrap percentile"};
-  const double count = static_cast<double>(low.size()), tail = (count + 1) * (1 - level) / 2;
+  const double count = static_cast<double>(low.size());
+  double tail = (count + 1) * (1 - level) / 2;
+  if (std::abs(tail - std::round(tail)) < 1e-9) tail = std::round(tail);  // 10 x 0.2/2 is meant to be 1
   if (tail < 1) return interval;
   interval.lower = order_statistic(low, tail);
   interval.upper = order_statistic(high, count + 1 - tail);

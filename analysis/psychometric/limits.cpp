@@ -51,7 +51,9 @@ StepLimit best_step(const Design& design, std::span<const double> correct) {
     const double lapse = best_lapse(model, above);
     const double p = std::clamp(here.correct / here.trials, model.guess, 1 - lapse);
     const double value = below + log_at(here, p) + log_at(above, 1 - lapse);
-    if (value > best.log_likelihood) best = {value, design.place[first], design.place[first], p, lapse};
+    const bool between_both = p > model.guess && p < 1 - lapse;  // else it stands beside this level
+    if (between_both && value > best.log_likelihood)
+      best = {value, design.place[first], design.place[first], p, lapse};
   }
   return best;
 }
