@@ -15,20 +15,20 @@ namespace {
 
 using nlohmann::ordered_json;
 
-std::vector<Condition> conditions_of(const DataTable& table) {
+std::vector<PsychometricCondition> conditions_of(const DataTable& table) {
   const std::vector<std::string>& names = text_column(table, "condition");
   const std::vector<Block> blocks = blocks_of(table);
-  std::vector<Condition> conditions;
+  std::vector<PsychometricCondition> conditions;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     auto found = std::find_if(conditions.begin(), conditions.end(),
-                              [&](const Condition& one) { return one.name == names[i]; });
+                              [&](const PsychometricCondition& one) { return one.name == names[i]; });
     if (found == conditions.end()) found = conditions.insert(conditions.end(), {.name = names[i]});
     found->blocks.push_back(blocks[i]);
   }
   return conditions;
 }
 
-ordered_json joint_json(const JointFit& fit, const std::vector<Condition>& conditions,
+ordered_json joint_json(const JointFit& fit, const std::vector<PsychometricCondition>& conditions,
                         const PsychometricModel& model) {
   ordered_json each = ordered_json::array();
   for (std::size_t i = 0; i < fit.alpha.size(); ++i) {
@@ -62,11 +62,11 @@ std::string hypothesis_of(Same same) {
 
 Outcome run(const Arguments& asked) {
   const PsychometricModel model = model_of(asked);
-  const std::vector<Condition> conditions = conditions_of(asked.table);
+  const std::vector<PsychometricCondition> conditions = conditions_of(asked.table);
   const Same same = same_from_name(asked.text("same"));
   const PsychometricComparison found = compare_psychometric(conditions, model, same);
   long trials = 0;
-  for (const Condition& condition : conditions)
+  for (const PsychometricCondition& condition : conditions)
     for (const Block& block : condition.blocks) trials += block.trials;
   const bool answered = !found.why_not;
   const auto when_answered = [&](const ordered_json& json) {

@@ -9,11 +9,11 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json estimate_json(const Estimate& estimate) {
+ordered_json estimate_json(const MeasureEstimate& estimate) {
   return {{"estimate", to_json(estimate.value)}, {"interval", to_json(estimate.interval)}};
 }
 
-ordered_json estimate_json(const std::optional<Estimate>& estimate) {
+ordered_json estimate_json(const std::optional<MeasureEstimate>& estimate) {
   return estimate ? estimate_json(*estimate) : ordered_json(nullptr);
 }
 

@@ -24,7 +24,7 @@ class Intervals {
     correct_ = correct_in(fitter.design(), request.blocks);
   }
 
-  Estimate estimate(Measure measure, double at) const {
+  MeasureEstimate estimate(Measure measure, double at) const {
     return {.value = value(measure, at, fit_.alpha, fit_.beta, fit_.lapse),
             .interval = interval(measure, at)};
   }
@@ -66,7 +66,7 @@ class Intervals {
   std::vector<double> correct_{};
 };
 
-Estimate changed(Estimate estimate, const std::function<double(double)>& change) {
+MeasureEstimate changed(MeasureEstimate estimate, const std::function<double(double)>& change) {
   estimate.value = change(estimate.value);
   estimate.interval.lower = change(estimate.interval.lower);
   estimate.interval.upper = change(estimate.interval.upper);

@@ -9,7 +9,7 @@
 
 namespace palpate::analysis {
 
-struct Estimate {
+struct MeasureEstimate {
   double value = 0.0;
   Interval interval{};
 };
@@ -20,8 +20,8 @@ struct PsychometricResult {
   std::optional<std::string> why_not{};  // why there is no function of the family
   std::string status{};                  // "fitted", "separable", "no rise", "unfit levels"
   PsychometricFit fit{};
-  Estimate threshold{}, slope{}, lapse{};
-  std::optional<Estimate> pse{}, jnd{}, weber{};
+  MeasureEstimate threshold{}, slope{}, lapse{};
+  std::optional<MeasureEstimate> pse{}, jnd{}, weber{};
   double log_likelihood = 0.0;  // with the binomial coefficients
   double deviance = 0.0;
   double degrees_of_freedom = 0.0;

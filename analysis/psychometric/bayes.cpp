@@ -1,80 +1,18 @@
 #include "analysis/psychometric/bayes.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlopt.hpp>
-#include <numbers>
-#include <numeric>
-#include <stdexcept>
 
-#include "analysis/psychometric/likelihood.hpp"
-#include "analysis/words.hpp"
+#include "analysis/psychometric/posterior.hpp"
 
 namespace palpate::analysis {
 namespace {
 
-constexpr std::size_t kThreshold = 0, kWidth = 1, kLapse = 2, kGuess = 3, kEta = 4, kParameters = 5;
 constexpr double kMassive = 1e-4;  // of the greatest marginal density: what is below is left outside
 
-using Point = std::array<double, kParameters>;
 using Axes = std::array<std::vector<double>, kParameters>;
-
-struct Problem {
-  Design design{};
-  std::vector<double> correct{};
-  bool guess_is_free = false;
-  double unit_width = 0.0;  // of the shape, in eta
-  double range = 0.0, gap = 0.0;
-};
-
-double cosine(double share) {  // from 1 at 0 to 0 at 1
-  return 0.5 * (1 + std::cos(std::numbers::pi * std::clamp(share, 0.0, 1.0)));
-}
-
-// The prior densities, up to a factor.
-double threshold_prior(const Problem& problem, double u) {
-  const double outside = std::max({problem.design.place.front() - u, u - problem.design.place.back(), 0.0});
-  return cosine(outside / (0.5 * problem.range));
-}
-
-double width_prior(const Problem& problem, double width) {
-  return cosine((2 * problem.gap - width) / problem.gap) *
-         cosine((width - problem.range) / (2 * problem.range));
-}
-
-double beta_1_10(double rate) {
-  return std::pow(1 - rate, 9);
-}
-
-double log_prior(const Problem& problem, const Point& at) {
-  const double density = threshold_prior(problem, at[kThreshold]) * width_prior(problem, at[kWidth]) *
-                         beta_1_10(at[kLapse]) * beta_1_10(at[kEta]) *
-                         (problem.guess_is_free ? beta_1_10(at[kGuess]) : 1.0);
-  return density > 0 ? std::log(density) : -INFINITY;
-}
-
-std::vector<double> shape_over(const Problem& problem, double threshold, double width) {
-  const Shape shape = problem.design.model.shape;
-  const double middle = shape_quantile(shape, 0.5), steepness = problem.unit_width / width;
-  std::vector<double> below;
-  for (const double place : problem.design.place)
-    below.push_back(shape_at(shape, middle + steepness * (place - threshold)).below);
-  return below;
-}
-
-double log_posterior(const Problem& problem, const std::vector<double>& below, const Point& at) {
-  const double prior = log_prior(problem, at);
-  if (!std::isfinite(prior)) return prior;
-  double sum = prior;
-  for (std::size_t row = 0; row < below.size(); ++row) {
-    const double psi = at[kGuess] + (1 - at[kGuess] - at[kLapse]) * below[row];
-    sum += log_beta_binomial(problem.correct[row], problem.design.trials[row], psi, at[kEta]);
-  }
-  return sum;
-}
 
 std::vector<double> spread(double from, double to, int steps) {
   std::vector<double> axis;
@@ -92,13 +30,13 @@ double trapezoid_weight(const std::vector<double>& axis, std::size_t i) {
 struct Grid {
   Axes axes{};
   std::array<std::vector<double>, kParameters> marginal{};  // posterior density along each axis, unscaled
-  Point best{};
+  BayesPoint best{};
 };
 
 // Calls visit(indices, point, log posterior) at every cell.
 template <typename Visit>
-void over_cells(const Problem& problem, const Axes& axes, const Visit& visit) {
-  Point at{};
+void over_cells(const BayesProblem& problem, const Axes& axes, const Visit& visit) {
+  BayesPoint at{};
   std::array<std::size_t, kParameters> i{};
   for (i[0] = 0; i[0] < axes[0].size(); ++i[0]) {
     for (i[1] = 0; i[1] < axes[1].size(); ++i[1]) {
@@ -119,11 +57,11 @@ void over_cells(const Problem& problem, const Axes& axes, const Visit& visit) {
   }
 }
 
-Grid filled(const Problem& problem, Axes axes) {
+Grid filled(const BayesProblem& problem, Axes axes) {
   Grid grid{.axes = std::move(axes)};
   std::vector<double> values;
   double greatest = -INFINITY;
-  over_cells(problem, grid.axes, [&](const auto&, const Point& at, double value) {
+  over_cells(problem, grid.axes, [&](const auto&, const BayesPoint& at, double value) {
     values.push_back(value);
     if (value > greatest) {
       greatest = value;
@@ -179,7 +117,7 @@ Interval credible(const std::vector<double>& axis, const std::vector<double>& ma
           .method = "equal-tailed credible interval"};
 }
 
-Posterior summary(const Grid& grid, std::size_t p, const Point& mode, double level) {
+Posterior summary(const Grid& grid, std::size_t p, const BayesPoint& mode, double level) {
   const std::vector<double>&axis = grid.axes[p], &marginal = grid.marginal[p];
   double mass = 0.0, moment = 0.0;
   for (std::size_t i = 0; i < axis.size(); ++i) {
@@ -191,12 +129,12 @@ Posterior summary(const Grid& grid, std::size_t p, const Point& mode, double lev
 }
 
 struct Hill {
-  const Problem& problem;
-  Point start{};
+  const BayesProblem& problem;
+  BayesPoint start{};
   std::vector<std::size_t> free{};
 
-  Point point(const double* of) const {
-    Point at = start;
+  BayesPoint point(const double* of) const {
+    BayesPoint at = start;
     for (std::size_t i = 0; i < free.size(); ++i) at[free[i]] = of[i];
     return at;
   }
@@ -204,13 +142,13 @@ struct Hill {
 
 double height(unsigned, const double* of, double*, void* data) {
   const Hill& hill = *static_cast<const Hill*>(data);
-  const Point at = hill.point(of);
+  const BayesPoint at = hill.point(of);
   const auto below = shape_over(hill.problem, at[kThreshold], at[kWidth]);
   return std::max(log_posterior(hill.problem, below, at), -1e12);
 }
 
 // Uphill from the best cell, within the priors.
-Point refined_mode(const Problem& problem, const Axes& bounds, const Point& start) {
+BayesPoint refined_mode(const BayesProblem& problem, const Axes& bounds, const BayesPoint& start) {
   Hill hill{.problem = problem, .start = start, .free = {kThreshold, kWidth, kLapse, kEta}};
   if (problem.guess_is_free) hill.free.push_back(kGuess);
   std::vector<double> lower, upper, x, step;
@@ -232,52 +170,12 @@ Point refined_mode(const Problem& problem, const Axes& bounds, const Point& star
   return hill.point(x.data());
 }
 
-Problem posed(std::span<const Block> blocks, Shape shape, std::optional<double> guess) {
-  validate(blocks);
-  const double guess_rate = guess.value_or(0.0);
-  const PsychometricModel model{
-      .shape = shape, .guess = guess_rate, .lapse_lower = 0, .lapse_upper = 0, .threshold_at = 0.5};
-  validate(model);
-  if (const auto unfit = unfit_levels(blocks, model)) throw std::invalid_argument(*unfit);
-  Problem problem{.design = make_design(blocks, model), .guess_is_free = !guess};
-  problem.correct = correct_in(problem.design, blocks);
-  problem.unit_width = shape_quantile(shape, 0.95) - shape_quantile(shape, 0.05);
-  problem.range = 2 * problem.design.half_range;
-  problem.gap = problem.design.least_gap * problem.design.half_range;
-  return problem;
-}
-
-std::vector<std::string> priors_in_words(const Problem& problem) {
-  const bool logs = on_log_levels(problem.design.model.shape);
-  const std::string scale = logs ? "log level" : "level";
-  const double low = problem.design.place.front(), high = problem.design.place.back();
-  std::vector<std::string> words{
-      fmt::format("threshold ({}): even from {} to {}, falling as a cosine to 0 at {} and {}", scale,
-                  number(low), number(high), number(low - 0.5 * problem.range),
-                  number(high + 0.5 * problem.range)),
-      fmt::format("width ({}): even from {} to {}, falling as a cosine to 0 at {} and {}", scale,
-                  number(2 * problem.gap), number(problem.range), number(problem.gap),
-                  number(3 * problem.range)),
-      "lapse: beta(1, 10), up to 0.5", "eta: beta(1, 10)"};
-  if (problem.guess_is_free) words.push_back("guess: beta(1, 10), up to 0.5");
-  return words;
-}
-
 }  // namespace
-
-double log_beta_binomial(double k, double n, double psi, double eta) {
-  const double p = std::clamp(psi, 1e-12, 1 - 1e-12);
-  const double v = 1 / (eta * eta) - 1;
-  if (v > 1e8) return log_binomial(k, n, p, 1 - p);  // apart by less than n^2/2e8, and free of round-off
-  const double a = p * v, b = (1 - p) * v;
-  return std::lgamma(k + a) - std::lgamma(a) + std::lgamma(n - k + b) - std::lgamma(b) + std::lgamma(v) -
-         std::lgamma(n + v);
-}
 
 BayesianFit bayesian_psychometric(std::span<const Block> blocks, Shape shape, std::optional<double> guess,
                                   double level) {
   require_level(level, "level");
-  const Problem problem = posed(blocks, shape, guess);
+  const BayesProblem problem = posed(blocks, shape, guess);
   const double low = problem.design.place.front(), high = problem.design.place.back();
   const bool free = problem.guess_is_free;
   const std::array<int, kParameters> coarse{23, 23, 7, free ? 7 : 1, 7};
@@ -294,7 +192,7 @@ BayesianFit bayesian_psychometric(std::span<const Block> blocks, Shape shape, st
       axes[p] = narrowed(grid.axes[p], grid.marginal[p], steps[p]);
     grid = filled(problem, std::move(axes));
   }
-  const Point mode = refined_mode(problem, bounds, grid.best);
+  const BayesPoint mode = refined_mode(problem, bounds, grid.best);
   BayesianFit fit{.threshold = summary(grid, kThreshold, mode, level),
                   .width = summary(grid, kWidth, mode, level),
                   .lapse = summary(grid, kLapse, mode, level),

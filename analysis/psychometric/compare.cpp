@@ -56,9 +56,9 @@ JointFit fit_separate(const Conditions& conditions, const PsychometricModel& mod
   return joint;
 }
 
-JointFit fit_pooled(std::span<const Condition> conditions, const PsychometricModel& model) {
+JointFit fit_pooled(std::span<const PsychometricCondition> conditions, const PsychometricModel& model) {
   std::vector<Block> all;
-  for (const Condition& condition : conditions)
+  for (const PsychometricCondition& condition : conditions)
     all.insert(all.end(), condition.blocks.begin(), condition.blocks.end());
   const Prepared pooled = prepared(all, model);
   const PsychometricFit fit = fit_psychometric(pooled.design, pooled.correct);
@@ -131,7 +131,7 @@ class Sharing {
   double quantile_ = 0.0;
 };
 
-std::optional<std::string> why_no_function(const Condition& condition, double beta) {
+std::optional<std::string> why_no_function(const PsychometricCondition& condition, double beta) {
   if (std::isinf(beta))
     return fmt::format("condition {}: its answers are separable, its slope infinite", condition.name);
   if (beta == 0) return fmt::format("condition {}: its answers do not rise with the level", condition.name);
@@ -159,7 +159,7 @@ std::string_view name_of(Same same) {
   return "slope";
 }
 
-PsychometricComparison compare_psychometric(std::span<const Condition> conditions,
+PsychometricComparison compare_psychometric(std::span<const PsychometricCondition> conditions,
                                             const PsychometricModel& model, Same same) {
   validate(model);
   if (conditions.size() < 2)
@@ -168,7 +168,7 @@ PsychometricComparison compare_psychometric(std::span<const Condition> condition
       .method = {.name = "likelihood ratio test of psychometric functions, chi-squared distribution",
                  .source = "Wilks 1938; Prins & Kingdom 2018"}};
   Conditions all;
-  for (const Condition& condition : conditions) {
+  for (const PsychometricCondition& condition : conditions) {
     validate(condition.blocks);
     if (const auto unfit = unfit_levels(condition.blocks, model)) {
       comparison.why_not = fmt::format("condition {}: {}", condition.name, *unfit);

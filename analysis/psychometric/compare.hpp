@@ -22,7 +22,7 @@ enum class Same {
 Same same_from_name(std::string_view name);
 std::string_view name_of(Same same);
 
-struct Condition {
+struct PsychometricCondition {
   std::string name{};
   std::vector<Block> blocks{};
 };
@@ -50,7 +50,7 @@ struct PsychometricComparison {
 /// at a bound. p by the chi-squared distribution, which holds for many trials. Throws std::invalid_argument
 /// for fewer than two conditions; a condition without a function (levels too few, separable answers, answers
 /// that do not rise) is told by `why_not`. Source: [Wilks1938]; [PrinsKingdom2018].
-PsychometricComparison compare_psychometric(std::span<const Condition> conditions,
+PsychometricComparison compare_psychometric(std::span<const PsychometricCondition> conditions,
                                             const PsychometricModel& model, Same same);
 
 }  // namespace palpate::analysis

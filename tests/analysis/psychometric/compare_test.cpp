@@ -12,8 +12,8 @@ using testing::HasSubstr;
 
 namespace {
 
-const std::vector<Condition> kTwo{{"a", blocks_from({0, 1, 2, 3, 4}, {5, 14, 24, 40, 45}, 50)},
-                                  {"b", blocks_from({0, 1, 2, 3, 4}, {2, 8, 20, 30, 44}, 50)}};
+const std::vector<PsychometricCondition> kTwo{{"a", blocks_from({0, 1, 2, 3, 4}, {5, 14, 24, 40, 45}, 50)},
+                                              {"b", blocks_from({0, 1, 2, 3, 4}, {2, 8, 20, 30, 44}, 50)}};
 constexpr PsychometricModel kNoGuess{.guess = 0, .lapse_upper = 0};
 
 }  // namespace
@@ -42,7 +42,7 @@ TEST(PsychometricCompare, OfThresholdAgreesWithR_optim) {
 }
 
 TEST(PsychometricCompare, ConditionsShareTheLapseRate) {
-  const std::vector<Condition> two{{"a", psignifit_blocks()}, {"b", psignifit_blocks()}};
+  const std::vector<PsychometricCondition> two{{"a", psignifit_blocks()}, {"b", psignifit_blocks()}};
   const PsychometricComparison found = compare_psychometric(two, {}, Same::Function);
   EXPECT_NEAR(found.chi_squared, 0, 1e-8);
   EXPECT_NEAR(found.separate.lapse, fit_of(psignifit_blocks(), {}).lapse, 1e-5);
@@ -57,7 +57,7 @@ TEST(PsychometricCompare, RejectsATrueHypothesisAsOftenAsItSays) {
     const auto draw = [&](double beta) {
       return simulated({1, 2, 3, 4, 5, 6}, 60, Shape::Logistic, 0, 0.0, 3.3, beta, random);
     };
-    const std::vector<Condition> two{{"a", draw(1.0)}, {"b", draw(1.6)}};
+    const std::vector<PsychometricCondition> two{{"a", draw(1.0)}, {"b", draw(1.6)}};
     rejected += compare_psychometric(two, kNoGuess, Same::Threshold).p < 0.05;
   }
   // Monte-Carlo standard error sqrt(.05 x .95/400) = 0.011; four of them
@@ -65,7 +65,7 @@ TEST(PsychometricCompare, RejectsATrueHypothesisAsOftenAsItSays) {
 }
 
 TEST(PsychometricCompare, TellsWhichConditionAllowsNoFunction) {
-  std::vector<Condition> two = kTwo;
+  std::vector<PsychometricCondition> two = kTwo;
   two[1].blocks = blocks_from({0, 1, 2, 3, 4}, {0, 0, 50, 50, 50}, 50);
   EXPECT_THAT(*compare_psychometric(two, kNoGuess, Same::Slope).why_not,
               HasSubstr("condition b: its answers are separable"));
