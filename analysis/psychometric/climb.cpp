@@ -19,7 +19,7 @@ constexpr double kLeastRise = 1e-7;   // eta over half the range of levels
 constexpr double kSteepest = 60.0;    // eta between neighbouring levels: F goes from 1e-13 to 1 - 1e-13
 
 // Solves the upper left 2 x 2 part; empty unless it is positive definite.
-std::optional<Step> solve_two(const std::array<double, 6>& m, double gx, double gy, double z) {
+std::optional<Step> solve_two(const Information& m, double gx, double gy, double z) {
   const double bx = gx - m[2] * z, by = gy - m[4] * z;
   const double determinant = m[0] * m[3] - m[1] * m[1];
   if (!(m[0] > 0 && determinant > 1e-14 * m[0] * m[3])) return std::nullopt;
@@ -28,7 +28,7 @@ std::optional<Step> solve_two(const std::array<double, 6>& m, double gx, double 
 
 // The summit of the parabola whose curvature is -m, with z between its ends; empty unless m is positive
 // definite. One bounded variable: a summit beyond an end has the best point at that end.
-std::optional<Step> summit(const std::array<double, 6>& m, const std::array<double, 3>& g, double z_lower,
+std::optional<Step> summit(const Information& m, const std::array<double, 3>& g, double z_lower,
                            double z_upper) {
   if (z_lower == z_upper) return solve_two(m, g[0], g[1], z_lower);
   if (!(m[0] > 0)) return std::nullopt;
@@ -50,11 +50,12 @@ struct Direction {
   bool newton = false;
 };
 
-Direction uphill(const Likelihood& here, double z_lower, double z_upper) {
+Direction uphill(const Design& design, const Line& line, const Likelihood& here, double z_lower,
+                 double z_upper) {
   const bool held = (z_lower == 0 && here.gradient[2] <= 0) || (z_upper == 0 && here.gradient[2] >= 0);
   if (held) z_lower = z_upper = 0;  // at its bound and pushed against it
   if (const auto newton = summit(here.observed, here.gradient, z_lower, z_upper)) return {*newton, true};
-  std::array<double, 6> ridged = here.expected;  // positive semidefinite by its making
+  Information ridged = expected_information(design, line);  // positive semidefinite by its making
   for (const std::size_t diagonal : {0U, 3U, 5U}) ridged[diagonal] = ridged[diagonal] * (1 + 1e-6) + 1e-10;
   if (const auto scoring = summit(ridged, here.gradient, z_lower, z_upper)) return {*scoring};
   return {};
@@ -82,7 +83,8 @@ Climb climb(const Design& design, std::span<const double> correct, const Line& s
   Likelihood here = likelihood(design, correct, at.line);
   while (at.iterations < kMostIterations && at.line.rise > kLeastRise && at.line.rise < steepest) {
     ++at.iterations;
-    const auto [step, newton] = uphill(here, lapse_lower - at.line.lapse, lapse_upper - at.line.lapse);
+    const auto [step, newton] =
+        uphill(design, at.line, here, lapse_lower - at.line.lapse, lapse_upper - at.line.lapse);
     const double gain = step[0] * here.gradient[0] + step[1] * here.gradient[1] + step[2] * here.gradient[2];
     if (!(gain > 0)) break;
     // The parabola's summit is gain/2 higher: twice that leaves it room to be wrong.

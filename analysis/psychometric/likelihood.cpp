@@ -15,7 +15,6 @@ Likelihood add_rows(const Design& design, std::span<const double> correct, const
   Likelihood sum;
   auto& g = sum.gradient;
   auto& o = sum.observed;
-  auto& e = sum.expected;
   const double guess = design.model.guess, span = 1 - guess - line.lapse;
   for (std::size_t row = 0; row < correct.size(); ++row) {
     const double v = design.v[row], n = design.trials[row], k = correct[row];
@@ -27,7 +26,6 @@ Likelihood add_rows(const Design& design, std::span<const double> correct, const
     const double hit = k * by_p, miss = (n - k) * by_q;
     const double by_psi = hit - miss;                           // dl/dpsi
     const double seen = hit * by_p + miss * by_q;               // -d2l/dpsi2
-    const double fisher = n * by_p * by_q;                      // its expectation
     const double px = span * shape.density, pz = -shape.below;  // dpsi/dintercept, dpsi/dlapse
     const double pxx = span * shape.bend, pxz = -shape.density;
     g[0] += by_psi * px;
@@ -40,15 +38,30 @@ Likelihood add_rows(const Design& design, std::span<const double> correct, const
     o[3] += xx * v * v;
     o[4] += xz * v;
     o[5] += seen * pz * pz;
-    const double fx = fisher * px * px, fz = fisher * px * pz;
-    e[0] += fx;
-    e[1] += fx * v;
-    e[2] += fz;
-    e[3] += fx * v * v;
-    e[4] += fz * v;
-    e[5] += fisher * pz * pz;
   }
   return sum;
+}
+
+template <typename Kernel>
+Information expected_rows(const Design& design, const Line& line) {
+  Information e{};
+  const double guess = design.model.guess, span = 1 - guess - line.lapse;
+  for (std::size_t row = 0; row < design.v.size(); ++row) {
+    const double v = design.v[row];
+    const ShapeValue shape = Kernel::at(line.intercept + line.rise * v);
+    const double p = std::max(guess + span * shape.below, kTiny);
+    const double q = std::max(line.lapse + span * shape.above, kTiny);
+    const double by_psi = design.trials[row] / p / q;
+    const double px = span * shape.density, pz = -shape.below;
+    const double xx = by_psi * px * px, xz = by_psi * px * pz;
+    e[0] += xx;
+    e[1] += xx * v;
+    e[2] += xz;
+    e[3] += xx * v * v;
+    e[4] += xz * v;
+    e[5] += by_psi * pz * pz;
+  }
+  return e;
 }
 
 }  // namespace
@@ -60,6 +73,11 @@ double log_binomial(double k, double n, double p, double q) {
 Likelihood likelihood(const Design& design, std::span<const double> correct, const Line& line) {
   return with_kernel(design.model.shape,
                      [&](auto kernel) { return add_rows<decltype(kernel)>(design, correct, line); });
+}
+
+Information expected_information(const Design& design, const Line& line) {
+  return with_kernel(design.model.shape,
+                     [&](auto kernel) { return expected_rows<decltype(kernel)>(design, line); });
 }
 
 double log_likelihood(const Design& design, std::span<const double> correct, const Line& line) {

@@ -14,16 +14,20 @@ struct Line {
   double lapse = 0.0;
 };
 
-/// Log likelihood without the binomial coefficients, with its derivatives by (intercept, rise, lapse);
-/// matrices as xx, xy, xz, yy, yz, zz.
+/// A symmetric matrix over (intercept, rise, lapse) as xx, xy, xz, yy, yz, zz.
+using Information = std::array<double, 6>;
+
+/// Log likelihood without the binomial coefficients, with its derivatives by (intercept, rise, lapse).
 struct Likelihood {
   double value = 0.0;
   std::array<double, 3> gradient{};
-  std::array<double, 6> observed{};  // information: minus the second derivatives
-  std::array<double, 6> expected{};  // Fisher's information
+  Information observed{};  // minus the second derivatives
 };
 
 Likelihood likelihood(const Design& design, std::span<const double> correct, const Line& line);
+
+/// Fisher's information: what `observed` is on the average over answers from this very function.
+Information expected_information(const Design& design, const Line& line);
 
 /// The value alone.
 double log_likelihood(const Design& design, std::span<const double> correct, const Line& line);

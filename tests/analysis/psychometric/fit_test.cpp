@@ -96,8 +96,7 @@ TEST(Likelihood, DerivativesAreThoseOfItsValue) {
     constexpr std::size_t kIndex[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
     for (int i = 0; i < 3; ++i) {
       const Likelihood on = moved(i, h), back = moved(i, -h);
-      const double scale =
-          1 + std::abs(here.observed[5]);  // of the second derivatives
+      const double scale = 1 + std::abs(here.observed[5]);  // of the second derivatives
       RC_ASSERT(std::abs((on.value - back.value) / (2 * h) - here.gradient[i]) < 1e-6 * scale);
       for (int j = 0; j < 3; ++j) {
         const double second = -(on.gradient[j] - back.gradient[j]) / (2 * h);
@@ -190,4 +189,20 @@ TEST(PsychometricFit, RecoversWhatWasSimulated) {
   // The standard errors of one fit are about 0.04 and 0.06: of the mean of 200, 0.003 and 0.004; four of them
   EXPECT_NEAR(alpha, 3.3, 0.012);
   EXPECT_NEAR(beta, 0.9, 0.017);
+}
+
+TEST(Likelihood, ExpectedInformationIsTheMeanOfTheObserved) {
+  // Answers that are exactly their expectation have no first derivative by psi: the two are then the same.
+  for (const double guess : {0.0, 0.5}) {
+    const Design design = make_design(psignifit_blocks(), {.guess = guess});
+    const Line line{.intercept = 0.4, .rise = 2.5, .lapse = 0.02};
+    std::vector<double> mean;
+    for (std::size_t row = 0; row < design.v.size(); ++row) {
+      const double below = shape_at(Shape::Logistic, line.intercept + line.rise * design.v[row]).below;
+      mean.push_back(50 * (guess + (1 - guess - line.lapse) * below));
+    }
+    const Information observed = likelihood(design, mean, line).observed;
+    const Information expected = expected_information(design, line);
+    for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(expected[i] / observed[i], 1, 1e-12);
+  }
 }
