@@ -9,25 +9,28 @@ namespace palpate::analysis {
 
 const std::vector<Procedure>& procedures() {
   static const std::vector<Procedure> all = {
-      adjust_procedure(),          //
-      bayes_procedure(),           //
-      binomial_procedure(),        //
-      cochran_procedure(),         //
-      critical_procedure(),        //
-      dprime_procedure(),          //
-      friedman_procedure(),        //
-      interval_bias_procedure(),   //
-      looks_procedure(),           //
-      mcnemar_procedure(),         //
-      permutation_procedure(),     //
-      power_procedure(),           //
-      randomisation_procedure(),   //
-      same_different_procedure(),  //
-      sign_procedure(),            //
-      similarity_procedure(),      //
-      ttest_procedure(),           //
-      wilcoxon_procedure(),        //
-      yes_no_procedure(),          //
+      adjust_procedure(),                //
+      bayes_procedure(),                 //
+      binomial_procedure(),              //
+      cochran_procedure(),               //
+      critical_procedure(),              //
+      dprime_procedure(),                //
+      friedman_procedure(),              //
+      interval_bias_procedure(),         //
+      looks_procedure(),                 //
+      mcnemar_procedure(),               //
+      permutation_procedure(),           //
+      power_procedure(),                 //
+      psychometric_procedure(),          //
+      psychometric_bayes_procedure(),    //
+      psychometric_compare_procedure(),  //
+      randomisation_procedure(),         //
+      same_different_procedure(),        //
+      sign_procedure(),                  //
+      similarity_procedure(),            //
+      ttest_procedure(),                 //
+      wilcoxon_procedure(),              //
+      yes_no_procedure(),                //
   };
   return all;
 }

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "analysis/procedures/procedure.hpp"
+#include "analysis/procedures/psychometric_request.hpp"
+
+namespace palpate::analysis {
+
+/// The result of `psychometric` from all replicates. Without replicates (none asked for, or none possible) it
+/// says so.
+Outcome psychometric_outcome(const PsychometricRequest& request);
+Outcome psychometric_outcome(const PsychometricRequest& request, const std::vector<Replicate>& replicates);
+
+/// The result with the replicates of one shard in its "bootstrap" and nothing yet that needs them all.
+Outcome psychometric_shard(const PsychometricRequest& request, Shard shard);
+
+/// The result that one run would have given, to the last bit, from the JSON of all its shards in any order.
+/// Throws std::invalid_argument where one is no shard, they belong to different requests, or replicates are
+/// missing or there twice.
+Outcome merge_bootstrap(const std::vector<nlohmann::ordered_json>& shards);
+
+}  // namespace palpate::analysis
