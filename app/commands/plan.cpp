@@ -29,7 +29,7 @@ void run_simulation(const Options& options, const trials::Protocol& protocol) {
   read_shard(options.shard, simulation);
   const nlohmann::ordered_json result = simulate_power(protocol, simulation);
   if (options.format == "json") {
-    fmt::print("{}\n", result.dump(1));
+    fmt::print("{}\n", result.dump(2));
   } else {
     fmt::print("{}", power_in_words(result));
   }

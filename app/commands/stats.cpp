@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <fstream>
 #include <map>
 #include <memory>
@@ -9,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/procedures/merge_bootstrap.hpp"
 #include "analysis/procedures/procedure.hpp"
 #include "app/commands/commands.hpp"
 #include "app/output.hpp"
@@ -116,13 +118,21 @@ nlohmann::ordered_json read_part(const std::string& file) {
 
 void merge(const std::vector<std::string>& files, const std::string& format) {
   std::vector<nlohmann::ordered_json> parts;
-  for (const std::string& file : files) {
-    parts.push_back(read_part(file));
-    if (parts.back().value("kind", "") != "power simulation")
-      throw std::invalid_argument(file + ": no part of a power simulation");
+  for (const std::string& file : files) parts.push_back(read_part(file));
+  const auto is_power = [](const nlohmann::ordered_json& part) {
+    return part.value("kind", "") == "power simulation";
+  };
+  if (std::ranges::any_of(parts, is_power) && !std::ranges::all_of(parts, is_power))
+    throw std::invalid_argument(
+        "parts of a power simulation and others; accepted: all parts of one computation");
+  analysis::Outcome whole;
+  if (is_power(parts.front())) {
+    whole.json = merge_power(parts);
+    whole.text = power_in_words(whole.json);
+  } else {
+    whole = analysis::merge_bootstrap(parts);
   }
-  const nlohmann::ordered_json whole = merge_power(parts);
-  fmt::print("{}", format == "json" ? whole.dump(1) + "\n" : power_in_words(whole));
+  fmt::print("{}", format == "json" ? whole.json.dump(2) + "\n" : whole.text);
 }
 
 void add_merge(CLI::App& stats) {
