@@ -12,6 +12,7 @@ const std::vector<Procedure>& procedures() {
       binomial_procedure(),     //
       critical_procedure(),     //
       dprime_procedure(),       //
+      glmm_procedure(),         //
       mcnemar_procedure(),      //
       permutation_procedure(),  //
       sign_procedure(),         //

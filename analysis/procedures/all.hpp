@@ -9,6 +9,7 @@ namespace palpate::analysis {
 Procedure binomial_procedure();
 Procedure critical_procedure();
 Procedure dprime_procedure();
+Procedure glmm_procedure();
 Procedure mcnemar_procedure();
 Procedure permutation_procedure();
 Procedure sign_procedure();
