@@ -60,21 +60,25 @@ auto Climb<Q>::with_free_part(const Vector& values) const -> Parameters {
   return parameters;
 }
 
+// The log-likelihood per answer: its curvature is of order 1, and so is L-BFGS's first step.
 template <int Q>
 double Climb<Q>::of_nlopt(const std::vector<double>& x, std::vector<double>& gradient, void* self) {
   auto& climb = *static_cast<Climb*>(self);
   Parameters slopes;
   const Eigen::Map<const Vector> values(x.data(), static_cast<Eigen::Index>(x.size()));
   const double value = climb.evaluate(climb.with_free_part(values), slopes);
-  if (!gradient.empty()) Eigen::Map<Vector>(gradient.data(), values.size()) = climb.free_part(slopes);
-  return value;
+  const double answers = static_cast<double>(climb.data_->total_trials);
+  if (!gradient.empty()) {
+    Eigen::Map<Vector>(gradient.data(), values.size()) = climb.free_part(slopes) / answers;
+  }
+  return value / answers;
 }
 
 template <int Q>
 void Climb<Q>::quasi_newton() {
   nlopt::opt climber(nlopt::LD_LBFGS, static_cast<unsigned>(free_.size()));
   climber.set_max_objective(of_nlopt, this);
-  climber.set_ftol_abs(kRemaining / 10);
+  climber.set_ftol_abs(kRemaining / 10 / static_cast<double>(data_->total_trials));
   climber.set_maxeval(1000);
   const Vector start = free_part(at_);
   std::vector<double> x(start.data(), start.data() + start.size());
