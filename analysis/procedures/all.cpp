@@ -9,14 +9,18 @@ namespace palpate::analysis {
 
 const std::vector<Procedure>& procedures() {
   static const std::vector<Procedure> all = {
-      binomial_procedure(),     //
-      critical_procedure(),     //
-      dprime_procedure(),       //
-      glmm_procedure(),         //
-      mcnemar_procedure(),      //
-      permutation_procedure(),  //
-      sign_procedure(),         //
-      wilcoxon_procedure(),     //
+      beta_binomial_procedure(),   //
+      binomial_procedure(),        //
+      bradley_terry_procedure(),   //
+      critical_procedure(),        //
+      dprime_procedure(),          //
+      examinee_level_procedure(),  //
+      glmm_procedure(),            //
+      mcnemar_procedure(),         //
+      permutation_procedure(),     //
+      sign_procedure(),            //
+      stevens_procedure(),         //
+      wilcoxon_procedure(),        //
   };
   return all;
 }
