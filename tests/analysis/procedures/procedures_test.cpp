@@ -99,7 +99,7 @@ TEST(Procedures, AskForOneThatThereIs) {
     procedure_named("anova");
     FAIL();
   } catch (const std::invalid_argument& error) {
-    EXPECT_THAT(error.what(), HasSubstr("there is no procedure 'anova'; accepted: binomial"));
+    EXPECT_THAT(error.what(), HasSubstr("there is no procedure 'anova'; accepted: " + names().front()));
   }
 }
 
