@@ -33,6 +33,14 @@ template <int Q>
 void Climb<Q>::run() {
   quasi_newton();
   if (options_.nodes > 1) marginal_ = Marginal(*data_, options_.link, options_.nodes);
+  finish();
+  if (convergence_.converged || options_.nodes == 1) return;
+  quasi_newton();  // now on the likelihood itself: Laplace's maximum was too far from its own
+  finish();
+}
+
+template <int Q>
+void Climb<Q>::finish() {
   value_ = evaluate(at_, gradient_);
   settle_on_boundary();
   newton();

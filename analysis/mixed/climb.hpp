@@ -36,6 +36,7 @@ class Climb {
   static double of_nlopt(const std::vector<double>& x, std::vector<double>& gradient, void* self);
   double evaluate(const Parameters& at, Parameters& gradient);
   void quasi_newton();
+  void finish();
   void settle_on_boundary();
   void newton();
   bool step(const Matrix& covariance);

@@ -79,6 +79,23 @@ Movement<Q> movement(const ExamineeIntegrand<Q>& integrand, const typename Exami
       .mode = mode_moves, .factor = -factor * half_lower<Q>(along), .log_determinant = -along.trace() / 2};
 }
 
+// The sum of exp(log) over nodes and its gradient, by exp(largest), so that nothing underflows.
+template <typename Parameters>
+struct NodeSum {
+  double largest = -std::numeric_limits<double>::infinity(), sum = 0.0;
+  Parameters slopes = Parameters::Zero();
+
+  void add(double log, const Parameters& log_slopes) {
+    if (log > largest) {
+      const double shrink = std::exp(largest - log);
+      sum *= shrink, slopes *= shrink, largest = log;
+    }
+    const double weight = std::exp(log - largest);
+    sum += weight;
+    slopes += weight * log_slopes;
+  }
+};
+
 }  // namespace
 
 template <int Q>
@@ -119,30 +136,23 @@ double MarginalLikelihood<Q>::add_examinee(std::size_t examinee, const Parameter
     moves[static_cast<std::size_t>(p)] = movement<Q>(integrand, at, mode.u, inverse, factor, p);
     mode.moves.col(p) = moves[static_cast<std::size_t>(p)].mode;
   }
-  // The sum over nodes and its gradient share one scale, exp(largest), that moves up as needed.
-  double largest = -std::numeric_limits<double>::infinity(), sum = 0.0;
-  Parameters slopes = Parameters::Zero();
+  NodeSum<Parameters> sum;
   for (const Node& node : nodes_) {
     const Effects u = mode.u + std::numbers::sqrt2 * (factor * node.t);
     const auto value = nodes_.size() == 1 ? at.value : integrand.value(u);
-    const double log = value.g + node.log_weight;
-    if (log > largest) {
-      const double shrink = std::exp(largest - log);
-      sum *= shrink, slopes *= shrink, largest = log;
-    }
-    const double weight = std::exp(log - largest);
-    sum += weight;
     const Effects pull = lambda.transpose() * value.scores - u;
+    Parameters slopes;
     for (int p = 0; p < kParameters; ++p) {
       const Movement<Q>& move = moves[static_cast<std::size_t>(p)];
       const Effects u_moves = move.mode + std::numbers::sqrt2 * (move.factor * node.t);
-      slopes[p] += weight * (direct<Q>(p, u).dot(value.scores) + pull.dot(u_moves));
+      slopes[p] = direct<Q>(p, u).dot(value.scores) + pull.dot(u_moves);
     }
+    sum.add(value.g + node.log_weight, slopes);
   }
   for (int p = 0; p < kParameters; ++p) {
-    gradient[p] += slopes[p] / sum + moves[static_cast<std::size_t>(p)].log_determinant;
+    gradient[p] += sum.slopes[p] / sum.sum + moves[static_cast<std::size_t>(p)].log_determinant;
   }
-  return largest + std::log(sum) + std::log(factor.determinant());
+  return sum.largest + std::log(sum.sum) + std::log(factor.determinant());
 }
 
 template <int Q>

@@ -144,6 +144,33 @@ TEST(Glmm, FollowsTheUnitOfTheLevelAndTheNamingOfTheAnswers) {
   EXPECT_NEAR(*turned.spread.correlation, *metres.spread.correlation, 1e-5);
 }
 
+TEST(Glmm, ClimbsOnWhereLaplacesMaximumIsFarFromItsOwn) {
+  // The likelihood is not concave at Laplace's maximum. lme4's Laplace fit of the same: fixef 0.3227,
+  // -0.0970; sd 0 and 0.265; log-likelihood -42.41, a little lower.
+  const long ones[6][4] = {{3, 4, 4, 7}, {5, 6, 4, 7}, {4, 4, 2, 4},
+                           {7, 3, 5, 5}, {7, 5, 6, 3}, {5, 5, 4, 2}};
+  std::vector<LevelAnswers> answers;
+  for (int examinee = 0; examinee < 6; ++examinee) {
+    for (int k = 0; k < 4; ++k) answers.push_back({std::to_string(examinee), k - 1.5, ones[examinee][k], 8});
+  }
+  const GlmmFit fit =
+      fit_glmm(observations(answers), {.link = Link::Logit, .random = RandomEffects::Slope, .nodes = 5});
+  EXPECT_TRUE(fit.convergence.converged) << fit.convergence.reason;
+  EXPECT_NEAR(fit.fixed[1], -0.0970, 0.002);
+  EXPECT_GT(fit.log_likelihood, -42.41);
+}
+
+TEST(Glmm, SaysWhenItDidNotConverge) {
+  // Two people of opposite minds with three answers each: the random slope's variance grows without end.
+  const GlmmFit fit = fit_glmm(
+      observations(
+          {{"a", -1, 0, 1}, {"a", 0, 0, 1}, {"a", 1, 1, 1}, {"b", -1, 1, 1}, {"b", 0, 1, 1}, {"b", 1, 0, 1}}),
+      {.random = RandomEffects::Slope, .nodes = 5});
+  EXPECT_FALSE(fit.convergence.converged);
+  EXPECT_THAT(fit.convergence.reason, HasSubstr("no maximum here"));
+  EXPECT_TRUE(std::isnan(fit.covariance(0, 0)));
+}
+
 TEST(Glmm, RefusesWhatHasNoFiniteSlope) {
   EXPECT_THAT(refusal_of({{"a", 1, 0, 5}, {"a", 2, 5, 5}, {"b", 1, 0, 5}, {"b", 2, 3, 5}, {"b", 3, 5, 5}}),
               HasSubstr("separates the answers completely (0 from 1 to 2, 1 from 2 to 3)"));
