@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -21,9 +22,10 @@ struct GlmmOptions {
 
 struct Convergence {
   bool converged = false;
-  std::string reason{};    // what it was judged by, or what is wrong
-  int evaluations = 0;     // of the likelihood with its gradient
-  double remaining = 0.0;  // log-likelihood that a last Newton step would still gain
+  std::string reason{};  // what it was judged by, or what is wrong
+  int evaluations = 0;   // of the likelihood with its gradient
+  double remaining =
+      std::numeric_limits<double>::quiet_NaN();  // log-likelihood that a last Newton step gained
 };
 
 /// How examinees differ, in the unit of the level. Absent where the model has no random slope, or where a

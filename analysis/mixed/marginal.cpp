@@ -45,9 +45,9 @@ Eigen::Vector2d direct(int parameter, const Eigen::Matrix<double, Q, 1>& u) {
 // How the mode and the scale of the nodes move with one parameter.
 template <int Q>
 struct Movement {
-  Eigen::Matrix<double, Q, 1> mode;
   Eigen::Matrix<double, Q, Q> factor;  // of L, L L' = H^-1
-  double log_determinant;              // of log det L
+  Eigen::Matrix<double, Q, 1> mode;
+  double log_determinant;  // of log det L
 };
 
 template <int Q>
@@ -76,7 +76,7 @@ Movement<Q> movement(const ExamineeIntegrand<Q>& integrand, const typename Exami
   change += lambda.transpose() * third * lambda;
   const Square along = factor.transpose() * change * factor;
   return {
-      .mode = mode_moves, .factor = -factor * half_lower<Q>(along), .log_determinant = -along.trace() / 2};
+      .factor = -factor * half_lower<Q>(along), .mode = mode_moves, .log_determinant = -along.trace() / 2};
 }
 
 // The sum of exp(log) over nodes and its gradient, by exp(largest), so that nothing underflows.

@@ -117,6 +117,7 @@ std::string in_words(const GlmmAnalysis& result) {
   const Convergence& convergence = result.fit.convergence;
   return fmt::format("{} of {}\n", counted(result.trials, "answer", "answers"),
                      counted(static_cast<long>(result.examinees), "examinee", "examinees")) +
+         (convergence.converged ? "" : "NOT CONVERGED: the estimates are not to be relied on.\n") +
          coefficient("Intercept", result.intercept) + coefficient("Slope", result.slope) +
          spread_line(result.fit.spread) +
          (result.fit.singular ? "A variance between examinees is estimated as 0, the least that it can be.\n"
@@ -128,7 +129,7 @@ std::string in_words(const GlmmAnalysis& result) {
          level("PSE, where either answer is as likely", result.pse) +
          level("JND, from there to 75 %", result.jnd) +
          fmt::format("Log-likelihood {} with {} parameters; {}: {}\n", number(result.fit.log_likelihood),
-                     result.fit.parameters, convergence.converged ? "converged" : "NOT CONVERGED",
+                     result.fit.parameters, convergence.converged ? "converged" : "not converged",
                      convergence.reason) +
          method_line(result.method);
 }

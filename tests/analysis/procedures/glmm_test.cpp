@@ -50,3 +50,16 @@ TEST(GlmmProcedure, WritesWhatIsOpenInWords) {
   EXPECT_THAT(text, HasSubstr("Laplace approximation"));
   EXPECT_THAT(text, HasSubstr("converged"));
 }
+
+TEST(GlmmProcedure, SaysFirstThatAFitDidNotConverge) {
+  const Outcome outcome = run_procedure("glmm", {{"data",
+                                                  {{"examinee", {"a", "a", "a", "b", "b", "b"}},
+                                                   {"level", {-1, 0, 1, -1, 0, 1}},
+                                                   {"response", {0, 0, 1, 1, 1, 0}}}},
+                                                 {"random", "slope"},
+                                                 {"nodes", 5}});
+  EXPECT_THAT(outcome.text, HasSubstr("6 answers of 2 examinees\nNOT CONVERGED"));
+  EXPECT_EQ(outcome.json["convergence"]["converged"], false);
+  EXPECT_TRUE(outcome.json["slope"]["standard_error"].is_null());
+  EXPECT_TRUE(outcome.json["pse"]["interval"]["lower"].is_null());
+}
