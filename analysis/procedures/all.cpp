@@ -11,11 +11,15 @@ const std::vector<Procedure>& procedures() {
   static const std::vector<Procedure> all = {
       adjust_procedure(),                //
       bayes_procedure(),                 //
+      beta_binomial_procedure(),         //
       binomial_procedure(),              //
+      bradley_terry_procedure(),         //
       cochran_procedure(),               //
       critical_procedure(),              //
       dprime_procedure(),                //
+      examinee_level_procedure(),        //
       friedman_procedure(),              //
+      glmm_procedure(),                  //
       interval_bias_procedure(),         //
       looks_procedure(),                 //
       mcnemar_procedure(),               //
@@ -28,6 +32,7 @@ const std::vector<Procedure>& procedures() {
       same_different_procedure(),        //
       sign_procedure(),                  //
       similarity_procedure(),            //
+      stevens_procedure(),               //
       ttest_procedure(),                 //
       wilcoxon_procedure(),              //
       yes_no_procedure(),                //

@@ -8,11 +8,15 @@ namespace palpate::analysis {
 
 Procedure adjust_procedure();
 Procedure bayes_procedure();
+Procedure beta_binomial_procedure();
 Procedure binomial_procedure();
+Procedure bradley_terry_procedure();
 Procedure cochran_procedure();
 Procedure critical_procedure();
 Procedure dprime_procedure();
+Procedure examinee_level_procedure();
 Procedure friedman_procedure();
+Procedure glmm_procedure();
 Procedure interval_bias_procedure();
 Procedure looks_procedure();
 Procedure mcnemar_procedure();
@@ -25,6 +29,7 @@ Procedure randomisation_procedure();
 Procedure same_different_procedure();
 Procedure sign_procedure();
 Procedure similarity_procedure();
+Procedure stevens_procedure();
 Procedure ttest_procedure();
 Procedure wilcoxon_procedure();
 Procedure yes_no_procedure();

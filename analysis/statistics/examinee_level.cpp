@@ -32,6 +32,7 @@ ExamineeLevelTest examinee_level_test(std::span<const ExamineeCount> counts, dou
   double squares = 0.0;
   for (const double value : above) squares += (value - result.test.mean) * (value - result.test.mean);
   if (above.size() > 1) result.deviation = std::sqrt(squares / static_cast<double>(above.size() - 1));
+  if (result.deviation > 0) result.standardised = result.test.mean / result.deviation;
   result.method = {.name = "examinee-level test: " + result.test.method.name,
                    .source = result.test.method.source};
   return result;

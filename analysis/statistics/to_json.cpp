@@ -198,6 +198,7 @@ ordered_json to_json(const ExamineeLevelTest& test) {
           {"chance", test.chance},
           {"mean_proportion", test.mean_proportion},
           {"standard_deviation", test.examinees > 1 ? to_json(test.deviation) : ordered_json(nullptr)},
+          {"standardised_mean", test.standardised ? to_json(*test.standardised) : ordered_json(nullptr)},
           {"p_values", to_json(test.p)},
           {"interval", to_json(test.interval)},
           {"test", to_json(test.test)},
