@@ -1,5 +1,5 @@
 // 10 000 bootstrap refits of a psychometric function with six levels, threshold, slope and lapse rate free.
-// psychometric.R times the same by R's optim; the target psychometric_bench_beside_r runs both and prints the
+// psychometric.R times the same by R's optim; the target psychometric_speed runs both and prints the
 // ratio.
 #include <benchmark/benchmark.h>
 
