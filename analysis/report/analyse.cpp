@@ -64,6 +64,19 @@ Counts count(const Selection& selection, std::vector<CellResult>& cells) {
   return counts;
 }
 
+// How unlike examinees are, as far as answers can tell: two examinees at least, two answers each, not all
+// alike.
+std::optional<BetaBinomial> spread_of(const CellResult& cell, double level) {
+  std::vector<ExamineeCount> answered;
+  for (const ExamineeCount& count : cell.by_examinee)
+    if (count.trials > 0) answered.push_back(count);
+  const bool repeated = std::any_of(answered.begin(), answered.end(),
+                                    [](const ExamineeCount& count) { return count.trials > 1; });
+  if (answered.size() < 2 || !repeated || cell.correct == 0 || cell.correct == cell.trials)
+    return std::nullopt;
+  return beta_binomial(answered, {.chance = kChance, .corrected = false, .level = level});
+}
+
 void test_cell(CellResult& cell, const Counts& counts, std::size_t index, const StudyReport& report) {
   if (cell.trials == 0) return;
   const OrderCounts& orders = counts.orders[index];
@@ -71,6 +84,7 @@ void test_cell(CellResult& cell, const Counts& counts, std::size_t index, const 
   std::vector<OrderStratum> sittings;
   for (const auto& [session, sitting] : counts.sittings[index]) sittings.push_back(sitting);
   cell.primary = primary_test(report.design, sittings, level, report.look);
+  cell.spread = spread_of(cell, level);
   cell.d_prime = dprime_2ifc(cell.correct, cell.trials, DPrimeCorrection::HalfTrial, level);
   cell.bias = interval_bias(orders, DPrimeCorrection::HalfTrial, level);
   std::vector<ExamineeCount> answered;

@@ -166,6 +166,20 @@ void add_sample_limits(const StudyReport& report, std::vector<std::string>& limi
   }
 }
 
+std::string spread_in_words(const CellResult& cell, double alpha) {
+  const BetaBinomial& spread = *cell.spread;
+  const std::string found =
+      fmt::format("overdispersion {} ({} interval {}; Tarone's test {})", decimals(spread.gamma.estimate, 2),
+                  short_percent(spread.gamma.interval.level),
+                  range(spread.gamma.interval, [](double value) { return decimals(value, 2); }),
+                  p_in_words(spread.tarone.p));
+  return spread.tarone.p <= alpha
+             ? fmt::format(
+                   "{}: examinees differ more than chance explains: {}. Read the examinee-level result.",
+                   cell.name, found)
+             : fmt::format("{}: it is not shown that examinees differ: {}.", cell.name, found);
+}
+
 void add_test_limits(const StudyReport& report, std::vector<std::string>& limits) {
   double none = 1.0;  // probability that no test rejects when all is guessing
   long tested = 0;
@@ -183,7 +197,9 @@ void add_test_limits(const StudyReport& report, std::vector<std::string>& limits
   limits.push_back(
       "Answers of one examinee resemble each other when they are more than guesses. The pooled test stays "
       "exact, because it is about guessing; its interval and d' treat all answers as alike and may be too "
-      "narrow for people in general. Overdispersion is not tested in this version.");
+      "narrow for people in general.");
+  for (const CellResult& cell : report.cells)
+    if (cell.spread) limits.push_back(spread_in_words(cell, report.design.alpha));
   for (const CellResult& cell : report.cells) {
     if (!cell.bias || cell.bias->p.two_sided > report.design.alpha) continue;
     limits.push_back(

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/report/primary_test.hpp"
+#include "analysis/statistics/beta_binomial.hpp"
 #include "analysis/statistics/dprime.hpp"
 #include "analysis/statistics/examinee_level.hpp"
 #include "analysis/statistics/interval_bias.hpp"
@@ -38,6 +39,7 @@ struct CellResult {
   std::vector<ExamineeCount> by_examinee{};  // in the order of StudyReport::examinees; trials may be 0
   std::optional<PrimaryTest> primary{};      // on all answers together
   std::optional<ExamineeLevelTest> by_people{};
+  std::optional<BetaBinomial> spread{};  // of examinees' proportions; empty where answers cannot tell
   std::optional<DPrime> d_prime{};
   std::optional<IntervalBias> bias{};
   std::optional<ResponseTimes> response_times{};  // where they were recorded

@@ -62,6 +62,16 @@ ordered_json design_json(const StudyDesign& design) {
           {"display_during_interval", design.display_during_interval}};
 }
 
+ordered_json spread_json(const std::optional<BetaBinomial>& spread) {
+  if (!spread) return nullptr;
+  return {{"gamma", to_json(spread->gamma.estimate)},
+          {"interval", to_json(spread->gamma.interval)},
+          {"likelihood_ratio",
+           {{"g_squared", spread->overdispersion.g_squared}, {"p", spread->overdispersion.p}}},
+          {"tarone", {{"z", spread->tarone.z}, {"p", spread->tarone.p}}},
+          {"method", to_json(spread->method)}};
+}
+
 ordered_json times_json(const std::optional<ResponseTimes>& times) {
   if (!times) return nullptr;
   return {{"n", times->n},
@@ -102,6 +112,7 @@ ordered_json cell_json(const StudyReport& report, const CellResult& cell) {
           {"primary", tested ? primary_json(*cell.primary) : ordered_json(nullptr)},
           {"critical", tested ? to_json(cell.primary->critical) : ordered_json(nullptr)},
           {"examinee_level", or_null(cell.by_people)},
+          {"overdispersion", spread_json(cell.spread)},
           {"dprime", or_null(cell.d_prime)},
           {"interval_order", or_null(cell.bias)},
           {"median_response_time_s",

@@ -33,6 +33,11 @@ class Stats : public testing::Test {
       std::filesystem::temp_directory_path() / ("palpate-stats-" + std::to_string(::getpid()));
 };
 
+std::string text_of(const std::string& path) {
+  std::ifstream in(path);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
 std::vector<json> lines_of(const std::string& text) {
   std::istringstream in(text);
   std::vector<json> lines;
@@ -90,11 +95,51 @@ TEST_F(Stats, SaysWhatIsWrongAndWhatIsAccepted) {
   EXPECT_THAT(column.err, HasSubstr("bad.csv:3: difference is 'x'"));
 }
 
+// Parts computed apart, on several machines say, are joined to the very bits of one run.
+TEST_F(Stats, PartsOfABootstrapMergeToOneRun) {
+  const std::string data =
+      file("answers.csv", "level,correct,trials\n1,12,20\n2,13,20\n3,17,20\n4,18,20\n5,20,20\n6,20,20\n");
+  const std::vector<std::string> asked = {"stats",       "psychometric", data,           "--guess", "0.5",
+                                          "--intervals", "bootstrap",    "--replicates", "200",     "--seed",
+                                          "3",           "--format",     "json"};
+  const auto with_shard = [&](const std::string& shard) {
+    std::vector<std::string> arguments = asked;
+    arguments.insert(arguments.end(), {"--shard", shard});
+    return run(arguments).out;
+  };
+  const std::string first = file("1.json", with_shard("1/2")), second = file("2.json", with_shard("2/2"));
+  const Outcome whole = run(asked), merged = run({"stats", "merge", second, first, "--format", "json"});
+  ASSERT_EQ(merged.exit_code, 0) << merged.err;
+  EXPECT_EQ(merged.out, whole.out);
+  const Outcome lacking = run({"stats", "merge", first});
+  EXPECT_EQ(lacking.exit_code, 1);
+}
+
+TEST_F(Stats, PartsOfAPowerSimulationMergeToOneRun) {
+  std::string small = text_of(std::string(PALPATE_SOURCE_DIR) + "/protocols/kuroda2003.toml");
+  const auto put = [&small](const std::string& from, const std::string& to) {
+    small.replace(small.find(from), from.size(), to);
+  };
+  put("../data", std::string(PALPATE_SOURCE_DIR) + "/data");
+  put("planned_examinees = 15", "planned_examinees = 2");
+  put("per_cell = 4", "per_cell = 1");
+  const std::string protocol = file("small.toml", small);
+  const auto simulated = [&](const std::string& shard) {
+    return run({"plan", protocol, "--studies", "2", "--seed", "5", "--shard", shard, "--format", "json"}).out;
+  };
+  const std::string first = file("1.json", simulated("1/2")), second = file("2.json", simulated("2/2"));
+  const Outcome merged = run({"stats", "merge", second, first, "--format", "json"});
+  ASSERT_EQ(merged.exit_code, 0) << merged.err;
+  EXPECT_EQ(merged.out, simulated("1/1"));
+  const Outcome twice = run({"stats", "merge", first, first});
+  EXPECT_EQ(twice.exit_code, 1);
+  EXPECT_THAT(twice.err, HasSubstr("study 1 is in two parts"));
+}
+
 // Made by `palpate stats list --format markdown > docs/procedures.md`.
 TEST_F(Stats, ThePageThatDocumentsThemIsUpToDate) {
-  std::ifstream in(std::string(PALPATE_SOURCE_DIR) + "/docs/procedures.md");
-  const std::string page{std::istreambuf_iterator<char>(in), {}};
-  EXPECT_EQ(run({"stats", "list", "--format", "markdown"}).out, page);
+  EXPECT_EQ(run({"stats", "list", "--format", "markdown"}).out,
+            text_of(std::string(PALPATE_SOURCE_DIR) + "/docs/procedures.md"));
 }
 
 }  // namespace palpate::test

@@ -7,6 +7,7 @@
 
 #include "tests/trials/support/protocols.hpp"
 #include "tests/trials/support/sitting.hpp"
+#include "trials/simulated_study.hpp"
 #include "trials/table.hpp"
 
 namespace palpate::trials {
@@ -158,6 +159,42 @@ TEST(LoadObserver, RefusesWhatItDoesNotKnow) {
               HasSubstr("decision.lapse_rate: found 1.5, accepted: a number from 0 to 1"));
   EXPECT_THAT(refusal("[decision]", "[decision]\nmood = 1"), HasSubstr("decision.mood: unknown key"));
   EXPECT_THAT(refusal("\"8.5 N\"", "\"8.5 mm\""), HasSubstr("device.max_force"));
+}
+
+// A study that is played and counted only is the one that would have been stored.
+TEST_F(SimulateTest, APlayedStudyIsTheOneThatIsStored) {
+  const auto& [shared, stimuli] = Shared::get();
+  Protocol protocol = shared;
+  protocol.planned_examinees = 3;
+  const SimulationPlan plan = plan_for(3, 7);
+  run("stored.db", plan);
+  const auto counts = play_study(protocol, stimuli, plan.observer, 7);
+  const StudyFile study = read_study(folder_ / "stored.db");
+  for (const SessionRow& session : study.sessions()) {
+    std::vector<SittingCount> stored(protocol.cells.size());
+    const auto drawn = study.trials(session.id);
+    for (const AnswerRow& answer : study.answers(session.id)) {
+      const Trial& trial = drawn.at(static_cast<std::size_t>(answer.trial - 1)).trial;
+      SittingCount& cell = stored[trial.cell];
+      ++cell.trials;
+      cell.correct_first += trial.correct_interval == 1 ? 1 : 0;
+      cell.answers_first += answer.response == 1 ? 1 : 0;
+      cell.correct += answer.correct ? 1 : 0;
+    }
+    for (std::size_t cell = 0; cell < stored.size(); ++cell) {
+      const SittingCount& played = counts[cell][static_cast<std::size_t>(session.id - 1)];
+      EXPECT_EQ(played.trials, stored[cell].trials);
+      EXPECT_EQ(played.correct_first, stored[cell].correct_first);
+      EXPECT_EQ(played.answers_first, stored[cell].answers_first);
+      EXPECT_EQ(played.correct, stored[cell].correct);
+    }
+  }
+}
+
+TEST(SeedOfStudy, DiffersFromStudyToStudyAndSeedToSeed) {
+  EXPECT_EQ(seed_of_study(1, 0), seed_of_study(1, 0));
+  EXPECT_NE(seed_of_study(1, 0), seed_of_study(1, 1));
+  EXPECT_NE(seed_of_study(1, 0), seed_of_study(2, 0));
 }
 
 }  // namespace
