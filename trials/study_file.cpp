@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <stdio.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,8 +9,8 @@
 #include <cerrno>
 #include <charconv>
 #include <stdexcept>
-#include <system_error>
 
+#include "sim/io/new_folder.hpp"
 #include "trials/store/file_check.hpp"
 #include "trials/store/schema.hpp"
 #include "trials/store/stores.hpp"
@@ -46,14 +45,6 @@ void flush_folder(const std::filesystem::path& file) {
   ::close(descriptor);
 }
 
-/// Renames without ever replacing what may have appeared under the name meanwhile.
-void rename_new(const std::filesystem::path& from, const std::filesystem::path& to) {
-  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return;
-  const int why = errno;
-  if (why == EINVAL && !std::filesystem::exists(to) && ::rename(from.c_str(), to.c_str()) == 0) return;
-  throw std::system_error(why, std::generic_category(), fmt::format("{}: cannot be made", to.string()));
-}
-
 /// Makes the file aside and whole, then gives it its name.
 void create_study(const std::filesystem::path& path, const StudyRow& study) {
   const std::filesystem::path aside = fmt::format("{}.new-{}", path.string(), ::getpid());
@@ -66,7 +57,7 @@ void create_study(const std::filesystem::path& path, const StudyRow& study) {
       StudyStore(database).add(study);
       transaction.commit();
     });
-    rename_new(aside, path);
+    sim::rename_new(aside, path);
   } catch (...) {
     std::error_code ignored;
     std::filesystem::remove(aside, ignored);

@@ -177,9 +177,6 @@ TEST_F(StudyEndToEnd, ExportOverwritesNothing) {
   EXPECT_EQ(exported.at("trials").at("rows").size(), 8U);
   EXPECT_EQ(exported.at("intervals").at("rows").size(), 16U);
   EXPECT_EQ(exported.at("trials").at("rows").at(0).at("run_mode"), "simulated");
-  const Outcome later = run({"export", file("a.db"), "--as", "bids", "--out", file("bids")});
-  EXPECT_EQ(later.exit_code, 1);
-  EXPECT_THAT(later.err, HasSubstr("bids is not in this version; accepted: csv, json"));
 }
 
 TEST_F(StudyEndToEnd, AFullDiskIsSaidAndLosesNothing) {
