@@ -15,7 +15,8 @@ const exported = join(folder, "bids");
 before(() => {
   const study = join(folder, "study.db");
   execFileSync(palpate, ["simulate", protocol, "--study", study, "--examinees", "3", "--seed", "1"]);
-  execFileSync(palpate, ["export", study, "--as", "bids", "--out", exported, "--author", "A. Author"]);
+  execFileSync(palpate, ["export", study, "--as", "bids", "--out", exported, "--author", "A. Author",
+    "--author", "B. Author"]);
 });
 after(() => rmSync(folder, { recursive: true }));
 
