@@ -108,21 +108,22 @@ fs::path NewFolder::place(const fs::path& relative) const {
   return file;
 }
 
-void NewFolder::add(const fs::path& relative, std::string_view bytes) const {
+void NewFolder::add(const fs::path& relative, std::string_view bytes) {
   write_file(place(relative), bytes);
+  added_.push_back(relative);
 }
 
 /// Into a folder that holds other files; what was moved is taken back when one name is taken.
 void NewFolder::move_each() const {
   std::vector<fs::path> moved;
   try {
-    for (const auto& entry : fs::directory_iterator(files_)) {
-      rename_new(entry.path(), folder_ / entry.path().filename());
-      moved.push_back(folder_ / entry.path().filename());
+    for (const fs::path& file : added_) {
+      rename_new(files_ / file, folder_ / file);
+      moved.push_back(folder_ / file);
     }
   } catch (...) {
     std::error_code ignored;
-    for (const fs::path& file : moved) fs::remove_all(file, ignored);
+    for (const fs::path& file : moved) fs::remove(file, ignored);
     throw;
   }
 }

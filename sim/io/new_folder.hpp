@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace palpate::sim {
 
@@ -15,8 +16,8 @@ void rename_new(const std::filesystem::path& from, const std::filesystem::path& 
 /// reached.
 class NewFolder {
  public:
-  /// What may already stand at the folder's place. Nothing: the folder is missing or empty. Others: the new
-  /// files are put beside those that are there.
+  /// What may already stand at the folder's place. Nothing: the folder is missing or empty. Others: the files
+  /// that add() wrote, none of them in a folder below, are put beside those that are there.
   enum class Beside { Nothing, Others };
 
   /// Throws std::invalid_argument when the place is taken, std::system_error when the disk refuses.
@@ -27,7 +28,7 @@ class NewFolder {
 
   /// Where a file is written until finish(); the folders above it are made.
   std::filesystem::path place(const std::filesystem::path& relative) const;
-  void add(const std::filesystem::path& relative, std::string_view bytes) const;
+  void add(const std::filesystem::path& relative, std::string_view bytes);
 
   /// The folder as it will be.
   const std::filesystem::path& aside() const { return files_; }
@@ -42,6 +43,7 @@ class NewFolder {
   std::filesystem::path top_;     // the first part of it that is not there yet, or all of it
   std::filesystem::path aside_;   // becomes top_
   std::filesystem::path files_;   // within aside_: becomes folder_
+  std::vector<std::filesystem::path> added_{};
   bool into_existing_ = false;
   bool finished_ = false;
 };

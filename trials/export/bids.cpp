@@ -90,7 +90,7 @@ ordered_json sidecar_of(const Protocol& protocol, const SessionRow& session) {
 /// Writes one data set into a folder, sitting by sitting.
 class Writer {
  public:
-  Writer(const StudyFile& study, const ExportFacts& facts, const sim::NewFolder& files)
+  Writer(const StudyFile& study, const ExportFacts& facts, sim::NewFolder& files)
       : study_(study), facts_(facts), files_(files), task_(label_of(study.protocol().name)) {
     for (const Table& table : checked_tables(study)) tables_.push_back(by_sitting(table));
   }
@@ -218,7 +218,7 @@ class Writer {
 
   const StudyFile& study_;
   const ExportFacts& facts_;
-  const sim::NewFolder& files_;
+  sim::NewFolder& files_;
   std::string task_;
   std::vector<std::map<SittingKey, Table>> tables_{};
   std::map<std::string, std::vector<SessionRow>> sittings_{};
