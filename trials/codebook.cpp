@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "trials/delimited.hpp"
 #include "trials/study_file.hpp"
 
 namespace palpate::trials {
@@ -89,7 +90,8 @@ Column one_of(Column column, const std::string& value, const std::string& meanin
 
 Column of_factor(const Factor& factor) {
   Column column = text(column_name(factor.key), factor.key, "Level of the factor " + factor.key);
-  for (const std::string& level : factor.levels) column.levels.push_back({level, factor.key + " = " + level});
+  for (const std::string& level : factor.levels)
+    column.levels.push_back({plain_text(level), factor.key + " = " + plain_text(level)});
   return column;
 }
 

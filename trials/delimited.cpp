@@ -129,9 +129,11 @@ std::string plain_text(std::string_view text) {
       plain += text.substr(0, length);
     text.remove_prefix(std::max<std::size_t>(length, 1));
   }
-  // A backslash before a quote is taken for an escape by some readers and refused by Psych-DS.
+  // A backslash before a quote, be it the one that closes the cell, is taken for an escape by some readers
+  // and refused by Psych-DS.
   for (std::size_t at = 0; (at = plain.find("\\\"", at)) != std::string::npos; at += 2)
     plain.insert(at + 1, 1, ' ');
+  if (plain.ends_with('\\')) plain += ' ';
   return plain;
 }
 

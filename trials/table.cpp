@@ -88,7 +88,7 @@ Table trial_table(const StudyFile& study) {
                              number(trial.number),   run_mode(session),      design.task,
                              design.procedure};
       for (std::size_t i = 0; i < design.factors.size(); ++i)
-        row.push_back(design.factors[i].levels[design.cells[trial.cell].levels[i]]);
+        row.push_back(plain_text(design.factors[i].levels[design.cells[trial.cell].levels[i]]));
       const std::vector<Value> rest{number(trial.correct_interval),
                                     number(answer.response),
                                     number(answer.correct ? 1 : 0),

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "app/commands/commands.hpp"
+#include "app/interrupt.hpp"
+#include "app/progress.hpp"
 #include "trials/export/datasets.hpp"
 
 namespace palpate::app {
@@ -19,7 +21,7 @@ struct Options {
 
 void run(const Options& options) {
   const trials::StudyFile study = trials::read_study(options.study);
-  const trials::ExportFacts facts{
+  trials::ExportFacts facts{
       .authors = options.authors, .software_version = PALPATE_VERSION, .exported_utc = trials::utc_now()};
   if (options.as == "csv") return trials::export_csv(study, options.out);
   if (options.as == "json") return trials::export_json(study, options.out);
@@ -27,6 +29,12 @@ void run(const Options& options) {
     fmt::print(stderr,
                "No authors given (--author): add them to dataset_description.json before you share it\n");
   if (options.as == "psych-ds") return trials::export_psych_ds(study, facts, options.out);
+  catch_interrupts();  // what was written aside is taken away
+  ProgressBar bar("sittings");
+  facts.progress = [&bar](int done, int total) {
+    if (interrupted()) throw Interrupted();
+    bar.show(done, total);
+  };
   trials::export_bids(study, facts, options.out);
 }
 

@@ -199,7 +199,7 @@ TEST_F(StudyEndToEnd, AFullDiskIsSaidAndLosesNothing) {
 }
 
 TEST_F(StudyEndToEnd, EveryCommandHasAnExample) {
-  for (const char* command : {"simulate", "export", "verify"}) {
+  for (const char* command : {"simulate", "export", "merge", "verify"}) {
     const Outcome help = run({command, "--help"});
     EXPECT_EQ(help.exit_code, 0);
     EXPECT_THAT(help.out, HasSubstr(std::string("Example:\n  palpate ") + command));

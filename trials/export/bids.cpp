@@ -96,7 +96,11 @@ class Writer {
   }
 
   void write() {
-    for (const SessionRow& session : study_.sessions()) add_sitting(session);
+    const auto sessions = study_.sessions();
+    for (std::size_t i = 0; i < sessions.size(); ++i) {
+      add_sitting(sessions[i]);
+      if (facts_.progress) facts_.progress(static_cast<int>(i + 1), static_cast<int>(sessions.size()));
+    }
     if (sittings_.empty())
       throw std::invalid_argument(
           "the study holds nothing yet that was felt or answered; BIDS wants at least "

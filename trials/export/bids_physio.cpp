@@ -35,7 +35,7 @@ Column sampled(std::string name, std::string title, std::string description, std
 class GzipFile {
  public:
   explicit GzipFile(std::filesystem::path file)
-      : name_(std::move(file)), file_(gzopen(name_.c_str(), "wbx")) {
+      : name_(std::move(file)), file_(gzopen(name_.c_str(), "wbx4")) {
     if (!file_) refuse();
   }
   void write(const fmt::memory_buffer& text) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,8 @@ struct ExportFacts {
   std::vector<std::string> authors{};
   std::string software_version{};  // that exports
   std::string exported_utc{};
+  std::function<void(int done, int total)>
+      progress{};  // sittings written; may throw, then nothing is written
 };
 
 /// The three tables of a study, checked against their codebook. Throws std::runtime_error, with the first
