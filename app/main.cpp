@@ -31,6 +31,7 @@ int main(int argc, char** argv) {
   palpate::app::add_cost(app);
   palpate::app::add_demo(app);
   palpate::app::add_export(app);
+  palpate::app::add_merge(app);
   palpate::app::add_mesh(app);
   palpate::app::add_plan(app);
   palpate::app::add_press(app);

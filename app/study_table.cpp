@@ -234,6 +234,10 @@ analysis::StudyTable read_study_table(const trials::StudyFile& study, bool curve
                       event.utc, event.text));
     }
   }
+  for (const trials::MergedPart& part : trials::merged_parts(study.events()))
+    table.notes.push_back(fmt::format("Joined from the study file {}{}: {} sittings, receipt {}.", part.file,
+                                      part.site.empty() ? "" : " of the site " + part.site, part.sessions,
+                                      trials::to_string(part.receipt)));
   Presented presented;
   for (const trials::SessionRow& session : study.sessions())
     add_session(study, session, voided, table, presented);

@@ -1,18 +1,14 @@
 #include "trials/study_file.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <stdio.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <charconv>
 #include <stdexcept>
-#include <system_error>
 
 #include "trials/store/file_check.hpp"
+#include "trials/store/new_study.hpp"
 #include "trials/store/schema.hpp"
 #include "trials/store/stores.hpp"
 
@@ -20,12 +16,6 @@ namespace palpate::trials {
 namespace {
 
 constexpr std::array kRunModes{RunMode::Study, RunMode::Pilot, RunMode::Practice, RunMode::Simulated};
-
-/// 128 bits from the operating system, whatever the seed of the study: two studies are never the same one.
-std::string fresh_uuid() {
-  Generator generator = make_generator({}, "identity of a study");
-  return fmt::format("{:016x}{:016x}", generator.next(), generator.next());
-}
 
 StudyRow study_of(const Protocol& protocol, std::string_view software_version) {
   return {.uuid = fresh_uuid(),
@@ -36,44 +26,6 @@ StudyRow study_of(const Protocol& protocol, std::string_view software_version) {
           .scene_text = protocol.scene_text,
           .files = protocol.files,
           .software_version = std::string(software_version)};
-}
-
-void flush_folder(const std::filesystem::path& file) {
-  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return;
-  ::fsync(descriptor);
-  ::close(descriptor);
-}
-
-/// Renames without ever replacing what may have appeared under the name meanwhile.
-void rename_new(const std::filesystem::path& from, const std::filesystem::path& to) {
-  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return;
-  const int why = errno;
-  if (why == EINVAL && !std::filesystem::exists(to) && ::rename(from.c_str(), to.c_str()) == 0) return;
-  throw std::system_error(why, std::generic_category(), fmt::format("{}: cannot be made", to.string()));
-}
-
-/// Makes the file aside and whole, then gives it its name.
-void create_study(const std::filesystem::path& path, const StudyRow& study) {
-  const std::filesystem::path aside = fmt::format("{}.new-{}", path.string(), ::getpid());
-  try {
-    guarded(path, [&] {
-      SQLite::Database database(aside.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
-      database.exec("PRAGMA synchronous = FULL");
-      SQLite::Transaction transaction(database);
-      create_schema(database);
-      StudyStore(database).add(study);
-      transaction.commit();
-    });
-    rename_new(aside, path);
-  } catch (...) {
-    std::error_code ignored;
-    std::filesystem::remove(aside, ignored);
-    std::filesystem::remove(aside.string() + "-journal", ignored);
-    throw;
-  }
-  flush_folder(path);
 }
 
 void check_same_study(const std::filesystem::path& path, const StudyRow& study, const Protocol& protocol) {
@@ -192,7 +144,10 @@ void check_study(const std::filesystem::path& path, const Protocol& protocol) {
 StudyFile open_study(const std::filesystem::path& path, const Protocol& protocol,
                      std::string_view software_version) {
   check_study(path, protocol);
-  if (!std::filesystem::exists(path)) create_study(path, study_of(protocol, software_version));
+  if (!std::filesystem::exists(path)) {
+    const StudyRow study = study_of(protocol, software_version);
+    write_new_study(path, [&](SQLite::Database& database) { StudyStore(database).add(study); });
+  }
   return guarded(path, [&] {
     auto stores = std::make_unique<StudyFile::Stores>(path, open_for_writing(path));
     migrate(stores->database);

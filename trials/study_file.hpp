@@ -95,6 +95,7 @@ constexpr std::string_view kEnded = "session ended";
 constexpr std::string_view kEarlyKey = "early key";
 constexpr std::string_view kStrategy = "strategy";
 constexpr std::string_view kChecklist = "checklist";
+constexpr std::string_view kMerged = "merged";  // the file was joined from others; the text tells of which
 }  // namespace event_kind
 
 /// Things that happened apart from answers. Append-only, chained with the answers.
@@ -163,15 +164,32 @@ StudyFile open_study(const std::filesystem::path& path, const Protocol& protocol
 /// Opens an existing study file for reading only. Throws std::invalid_argument for a file that is none.
 StudyFile read_study(const std::filesystem::path& path);
 
+/// A study file that another one was joined from, as it was then.
+struct MergedPart {
+  std::string site{};  // put before its examinees' codes, "Osaka-P01"; empty: they stayed as they were
+  std::string file{};  // its name, without folders
+  std::string uuid{}, created_utc{}, software_version{};
+  std::int64_t sessions = 0;
+  Receipt receipt{};
+
+  bool operator==(const MergedPart&) const = default;
+};
+
+/// The parts of a joined study file, in order; none where it was not joined. Throws std::invalid_argument
+/// when what is written of them cannot be read.
+std::vector<MergedPart> merged_parts(const std::vector<EventRow>& events);
+
 /// What `palpate verify` found.
 struct VerifyReport {
   std::vector<std::string> problems{};  // empty: the file is whole
   Receipt receipt{};
   int sessions = 0, answers = 0, presentations = 0, voided = 0;
+  std::vector<MergedPart> parts{};  // of a joined file
 };
 
 /// Integrity of the database, its schema, every hash, the chain, answers against the plan, every trace. With
-/// a receipt, whether the chain still holds the entry that the receipt was printed for.
+/// a receipt, whether the chain still holds the entry that the receipt was printed for; in a joined file, the
+/// receipts of its parts hold as well.
 VerifyReport verify_study(const std::filesystem::path& path, const std::optional<Receipt>& receipt = {});
 
 }  // namespace palpate::trials

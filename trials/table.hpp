@@ -5,16 +5,12 @@
 #include <variant>
 #include <vector>
 
+#include "trials/codebook.hpp"
 #include "trials/study_file.hpp"
 
 namespace palpate::trials {
 
 using Value = std::variant<std::monostate, std::int64_t, double, std::string>;  // monostate: missing
-
-struct Column {
-  std::string name;         // ends in its unit, where it has one
-  std::string description;  // for a codebook
-};
 
 /// A table for other tools: one row an observation, every row as long as `columns`.
 struct Table {
@@ -32,7 +28,7 @@ Table interval_table(const StudyFile& study);
 /// One row a presentation that did not count: explored too little, or of a trial that was cut off.
 Table exposure_table(const StudyFile& study);
 
-/// RFC 4180: comma, LF, quotes doubled where needed; missing values are n/a. No byte-order mark.
-std::string to_csv(const Table& table);
+/// Whether an answer was given to a presentation; `answers` are those of its sitting.
+bool counted(const PresentationRow& presentation, const std::vector<AnswerRow>& answers);
 
 }  // namespace palpate::trials

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "sim/io/sha256.hpp"
+#include "trials/chain_parts.hpp"
 #include "trials/session_state.hpp"
 #include "trials/store/file_check.hpp"
 #include "trials/store/schema.hpp"
@@ -81,7 +82,7 @@ void check_answer(const Protocol& design, const std::string& place, const DrawnT
 }
 
 /// Checks one sitting and gathers the text of each of its answers, by entry of the chain.
-void check_session(const StudyFile::Stores& stores, const SessionRow& session,
+void check_session(const StudyFile::Stores& stores, const ChainParts& chains, const SessionRow& session,
                    std::map<std::int64_t, std::string>& texts, VerifyReport& report, Problems& problems) {
   const std::string who = fmt::format("examinee {}, sitting {}", session.facts.examinee, session.number);
   const auto trials = stores.trials.of_session(session.id);
@@ -101,7 +102,8 @@ void check_session(const StudyFile::Stores& stores, const SessionRow& session,
     }
     const auto felt = presentations_of(presentations, *drawn);
     check_answer(stores.design, place, *drawn, felt, answer, problems);
-    texts[answer.entry] = canonical_text(stores.design, session, *drawn, felt, answer);
+    texts[answer.entry] =
+        canonical_text(stores.design, chains.as_hashed(session, answer.entry), *drawn, felt, answer);
   }
   if (session.ended_utc && static_cast<int>(answers.size()) != trials_per_session(stores.design))
     problems.add("{}: has ended with {} answers of {}", who, answers.size(),
@@ -110,9 +112,9 @@ void check_session(const StudyFile::Stores& stores, const SessionRow& session,
   report.presentations += static_cast<int>(presentations.size());
 }
 
-void check_chain(const StudyFile::Stores& stores, const std::map<std::int64_t, std::string>& texts,
-                 Problems& problems) {
-  std::string previous = genesis(stores.study);
+void check_chain(const StudyFile::Stores& stores, const ChainParts& chains,
+                 const std::map<std::int64_t, std::string>& texts, Problems& problems) {
+  std::string previous;
   std::int64_t expected = 0;
   const auto ledger = stores.ledger.all();
   for (const LedgerEntry& entry : ledger) {
@@ -120,6 +122,8 @@ void check_chain(const StudyFile::Stores& stores, const std::map<std::int64_t, s
       problems.add("chain: entry {} is missing", expected);
       expected = entry.entry;
     }
+    const auto& chain = chains.chain_of(entry.entry);
+    if (entry.entry == chain.before + 1) previous = chain.genesis;
     const auto text = texts.find(entry.entry);
     if (entry.previous_hash != previous)
       problems.add("chain: entry {} does not follow the one before", entry.entry);
@@ -133,22 +137,53 @@ void check_chain(const StudyFile::Stores& stores, const std::map<std::int64_t, s
   if (texts.size() > ledger.size()) problems.add("chain: an answer or event stands outside the chain");
 }
 
-void check_receipt(const StudyFile::Stores& stores, const Receipt& receipt, Problems& problems) {
-  if (receipt.entries == 0) {
-    if (receipt.head != genesis(stores.study)) problems.add("receipt: was printed for another study");
-    return;
+/// Each part still ends where it ended when the file was joined.
+void check_parts(const ChainParts& chains, const std::vector<LedgerEntry>& ledger, Problems& problems) {
+  for (const auto& chain : chains.chains()) {
+    if (!chain.part || chain.entries == 0) continue;
+    const auto last = std::ranges::find(ledger, chain.before + chain.entries, &LedgerEntry::entry);
+    if (last == ledger.end() || last->hash != chain.part->receipt.head)
+      problems.add("chain: the part from {} does not end as it did when it was joined", chain.part->file);
   }
+}
+
+/// Whether one of the file's chains holds what the receipt was printed for. The file's own receipts count all
+/// entries, a part's those of the part.
+bool holds(const ChainParts& chains, const std::vector<LedgerEntry>& ledger, const Receipt& receipt) {
+  return std::ranges::any_of(chains.chains(), [&](const ChainParts::Chain& chain) {
+    if (receipt.entries == 0) return receipt.head == chain.genesis;
+    if (chain.part && receipt.entries > chain.entries) return false;
+    const auto found =
+        std::ranges::find(ledger, receipt.entries + (chain.part ? chain.before : 0), &LedgerEntry::entry);
+    return found != ledger.end() && found->hash == receipt.head;
+  });
+}
+
+void check_receipt(const StudyFile::Stores& stores, const ChainParts& chains, const Receipt& receipt,
+                   Problems& problems) {
   const auto ledger = stores.ledger.all();
-  const auto found = std::ranges::find(ledger, receipt.entries, &LedgerEntry::entry);
-  if (found == ledger.end())
+  if (holds(chains, ledger, receipt)) return;
+  if (receipt.entries == 0)
+    problems.add("receipt: was printed for another study");
+  else if (receipt.entries > static_cast<std::int64_t>(ledger.size()))
     problems.add(
         "receipt: was printed for {} entries, the file holds {}: it was cut back or is another study's",
         receipt.entries, ledger.size());
-  else if (found->hash != receipt.head)
+  else
     problems.add(
         "receipt: entry {} is not the one that the receipt was printed for: the file was rewritten or is "
         "another study's",
         receipt.entries);
+}
+
+/// What the file was joined from; none, and a problem, when that cannot be read.
+std::vector<MergedPart> read_parts(const std::vector<EventRow>& events, Problems& problems) {
+  try {
+    return merged_parts(events);
+  } catch (const std::invalid_argument& error) {
+    problems.add("{}", error.what());
+    return {};
+  }
 }
 
 }  // namespace
@@ -163,16 +198,20 @@ VerifyReport verify_study(const std::filesystem::path& path, const std::optional
     const StudyFile::Stores stores(path, std::move(database));
     check_identity(stores.study, problems);
     std::map<std::int64_t, std::string> texts;
-    for (const EventRow& event : stores.events.all()) {
-      texts[event.entry] = canonical_text(event);
+    const auto events = stores.events.all();
+    report.parts = read_parts(events, problems);
+    const ChainParts chains(stores.study, report.parts);
+    for (const EventRow& event : events) {
+      texts[event.entry] = canonical_text(chains.as_hashed(event));
       report.voided += event.kind == event_kind::kVoided ? 1 : 0;
     }
     for (const SessionRow& session : stores.sessions.all()) {
-      check_session(stores, session, texts, report, problems);
+      check_session(stores, chains, session, texts, report, problems);
       ++report.sessions;
     }
-    check_chain(stores, texts, problems);
-    if (receipt) check_receipt(stores, *receipt, problems);
+    check_chain(stores, chains, texts, problems);
+    check_parts(chains, stores.ledger.all(), problems);
+    if (receipt) check_receipt(stores, chains, *receipt, problems);
     report.receipt = stores.ledger.head(stores.study);
   });
   report.problems = problems.take();

@@ -14,6 +14,7 @@ void add_check(CLI::App& app);
 void add_cost(CLI::App& app);
 void add_demo(CLI::App& app);
 void add_export(CLI::App& app);
+void add_merge(CLI::App& app);
 void add_mesh(CLI::App& app);
 void add_plan(CLI::App& app);
 void add_press(CLI::App& app);

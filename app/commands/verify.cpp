@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "app/commands/commands.hpp"
+#include "app/merged_parts_json.hpp"
 #include "app/output.hpp"
 #include "trials/study_file.hpp"
 
@@ -19,6 +20,10 @@ struct Options {
 void print_text(const Options& options, const trials::VerifyReport& report) {
   fmt::print("{}: {} sittings, {} answers ({} voided), {} presentations\n", options.study, report.sessions,
              report.answers, report.voided, report.presentations);
+  for (const trials::MergedPart& part : report.parts)
+    fmt::print("  joined from {}{}: {} sittings, receipt {}\n", part.file,
+               part.site.empty() ? "" : fmt::format(" (site {})", part.site), part.sessions,
+               trials::to_string(part.receipt));
   for (const std::string& problem : report.problems) fmt::print("  {}\n", problem);
   if (report.problems.empty())
     fmt::print("whole: database, schema, hashes, chain, order and traces fit together{}\n",
@@ -38,6 +43,7 @@ void run(const Options& options) {
                                               {"answers", report.answers},
                                               {"voided", report.voided},
                                               {"presentations", report.presentations},
+                                              {"parts", parts_json(report.parts)},
                                               {"receipt", trials::to_string(report.receipt)}}
                            .dump(1));
   else
@@ -59,6 +65,7 @@ void add_verify(CLI::App& app) {
                       "A receipt printed at a session's end: also finds later rewriting or cutting back");
   add_format(*command, options->format);
   command->footer(
+      "A file that palpate merge made holds its parts' chains as they were: their receipts hold as well.\n\n"
       "Example:\n  palpate verify study.db --receipt 120-9f86d0...\nExit code 1: something is wrong.");
   command->callback([options] { run(*options); });
 }

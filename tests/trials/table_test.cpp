@@ -4,6 +4,7 @@
 
 #include "tests/trials/support/protocols.hpp"
 #include "tests/trials/support/sitting.hpp"
+#include "trials/delimited.hpp"
 
 namespace palpate::trials {
 namespace {
@@ -43,7 +44,7 @@ TEST_F(TableTest, HaveTheColumnsOfTheTrialLog) {
             (std::vector<std::string>{"participant_id", "session_id", "trial", "interval", "condition",
                                       "level_proposed", "level_presented", "n_presses", "exploration_time_s",
                                       "peak_force_n", "max_depth_m", "clamped_fraction", "loop_rate_hz",
-                                      "loop_p999_ms", "missed_cycles"}));
+                                      "loop_p999_ms", "missed_cycles", "run_mode"}));
 }
 
 TEST_F(TableTest, HoldEveryAnswerEveryIntervalAndEveryOtherExposure) {
@@ -51,10 +52,13 @@ TEST_F(TableTest, HoldEveryAnswerEveryIntervalAndEveryOtherExposure) {
   EXPECT_EQ(interval_table(study_).rows.size(), 8U);
   const Table others = exposure_table(study_);
   ASSERT_EQ(others.rows.size(), 2U);
-  EXPECT_EQ(std::get<std::string>(others.rows[0].back()), "not pressed deep enough");
-  EXPECT_EQ(std::get<std::string>(others.rows[1].back()), "interrupted");
+  const std::size_t why = others.columns.size() - 2;
+  EXPECT_EQ(std::get<std::string>(others.rows[0][why]), "not pressed deep enough");
+  EXPECT_EQ(std::get<std::string>(others.rows[1][why]), "interrupted");
   for (const Table& table : {trial_table(study_), interval_table(study_), others})
     for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size()) << table.name;
+  for (const Table& table : {interval_table(study_), others})
+    for (const auto& row : table.rows) EXPECT_EQ(std::get<std::string>(row.back()), "study") << table.name;
 }
 
 TEST_F(TableTest, AreWrittenAsRfc4180) {

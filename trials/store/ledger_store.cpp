@@ -119,10 +119,14 @@ Receipt LedgerStore::head(const StudyRow& study) const {
 std::int64_t LedgerStore::append(const StudyRow& study, std::string_view text) {
   const Receipt before = head(study);
   const std::int64_t entry = before.entries + 1;
-  Query(database_, "INSERT INTO ledger (entry, previous_hash, hash) VALUES (?, ?, ?)", entry, before.head,
-        chain_hash(before.head, text))
-      .run();
+  add({entry, before.head, chain_hash(before.head, text)});
   return entry;
+}
+
+void LedgerStore::add(const LedgerEntry& entry) {
+  Query(database_, "INSERT INTO ledger (entry, previous_hash, hash) VALUES (?, ?, ?)", entry.entry,
+        entry.previous_hash, entry.hash)
+      .run();
 }
 
 std::vector<LedgerEntry> LedgerStore::all() const {

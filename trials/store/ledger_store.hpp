@@ -35,6 +35,8 @@ class LedgerStore {
   Receipt head(const StudyRow& study) const;
   /// Appends an entry and returns its number. Call it inside the transaction that adds the row it stands for.
   std::int64_t append(const StudyRow& study, std::string_view text);
+  /// Adds an entry as it is: one that another study's chain holds already, or that begins a chain.
+  void add(const LedgerEntry& entry);
   std::vector<LedgerEntry> all() const;
 
  private:
