@@ -135,7 +135,7 @@ void merge(const std::vector<std::string>& files, const std::string& format) {
   fmt::print("{}", format == "json" ? whole.json.dump(2) + "\n" : whole.text);
 }
 
-void add_merge(CLI::App& stats) {
+void add_merge_of_parts(CLI::App& stats) {
   CLI::App* command = stats.add_subcommand("merge", "Joins the parts that --shard K/N computed");
   command->footer(
       "The result has the same bits as one run.\n\n"
@@ -162,7 +162,7 @@ void add_stats(CLI::App& app) {
   for (const Procedure& procedure : analysis::procedures()) add_procedure(*stats, procedure);
   add_batch(*stats);
   add_list(*stats);
-  add_merge(*stats);
+  add_merge_of_parts(*stats);
 }
 
 }  // namespace palpate::app
