@@ -19,12 +19,14 @@ std::int64_t SessionStore::add(const SessionRow& session) {
 
 std::vector<SessionRow> SessionStore::all() const {
   std::vector<SessionRow> sessions;
-  Query rows(database_,
-             "SELECT id, examinee, number, run_mode, started_utc, software_version, machine, device, "
-             "pseudo_haptic, channel, seed, observer, force_scale, "
-             "(SELECT max(utc) FROM event WHERE event.session = session.id AND kind = 'session ended'), "
-             "(SELECT count(*) FROM event WHERE event.session = session.id AND kind = 'resumed') "
-             "FROM session ORDER BY id");
+  Query rows(
+      database_,
+      // One pass over the events: a subquery for each session would take the square of their number.
+      "SELECT id, examinee, number, run_mode, started_utc, software_version, machine, device, "
+      "pseudo_haptic, channel, seed, observer, force_scale, ended, coalesce(resumed, 0) "
+      "FROM session LEFT JOIN (SELECT session, max(utc) FILTER (WHERE kind = 'session ended') AS ended, "
+      "count(*) FILTER (WHERE kind = 'resumed') AS resumed FROM event GROUP BY session) AS happened "
+      "ON happened.session = session.id ORDER BY id");
   while (rows.next()) {
     SessionRow session{.id = rows.integer(0), .number = rows.number(2)};
     session.facts = {.examinee = rows.text(1),
