@@ -11,7 +11,7 @@ namespace palpate::analysis {
 namespace {
 
 void add_sample(const StudyReport& report, std::vector<std::string>& found) {
-  if (report.complete_examinees == report.planned_examinees) return;
+  if (report.complete_examinees == report.planned_examinees || (report.look && !report.complete)) return;
   found.push_back(fmt::format("{} examinees are complete, {} were planned.", report.complete_examinees,
                               report.planned_examinees));
 }

@@ -245,6 +245,7 @@ TEST(Analyse, OpensAtAPlannedLookAndOnlyThen) {
   // P(X >= 18 of 20) = 0.000201, P(X >= 17) = 0.00129; 2 - 2 Phi(z(0.975)/sqrt(1/3)) = 0.000687 may be spent.
   EXPECT_EQ(first.cells[0].primary->critical.at_least, 18);
   EXPECT_THAT(first.banners, testing::Contains(HasSubstr("PLANNED LOOK 1 of 3: 5 of 15")));
+  EXPECT_TRUE(first.deviations.empty());  // to look was planned
   const StudyReport between = analyse(with_looks(7));
   EXPECT_TRUE(between.withheld);
   EXPECT_FALSE(between.look);
