@@ -112,7 +112,8 @@ struct Stimulus {
   std::string run_mode{};
   std::size_t cell = 0;
   std::string condition{};
-  auto operator<=>(const Stimulus&) const = default;
+  auto operator<=>(const Stimulus&) const =
+      default;  // NOLINT(modernize-use-nullptr): of the compiler's own zero
 };
 using Presented = std::map<Stimulus, std::vector<std::int64_t>>;  // ids of presentations
 

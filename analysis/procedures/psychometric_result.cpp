@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -89,7 +90,7 @@ double log_coefficients(const std::vector<Block>& blocks) {
   double sum = 0.0;
   for (const Block& block : blocks) {
     const double k = static_cast<double>(block.correct), n = static_cast<double>(block.trials);
-    sum += std::lgamma(n + 1) - std::lgamma(k + 1) - std::lgamma(n - k + 1);
+    sum += boost::math::lgamma(n + 1) - boost::math::lgamma(k + 1) - boost::math::lgamma(n - k + 1);
   }
   return sum;
 }

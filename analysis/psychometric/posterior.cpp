@@ -3,7 +3,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -37,7 +39,7 @@ double log_prior(const BayesProblem& problem, const BayesPoint& at) {
   const double density = threshold_prior(problem, at[kThreshold]) * width_prior(problem, at[kWidth]) *
                          beta_1_10(at[kLapse]) * beta_1_10(at[kEta]) *
                          (problem.guess_is_free ? beta_1_10(at[kGuess]) : 1.0);
-  return density > 0 ? std::log(density) : -INFINITY;
+  return density > 0 ? std::log(density) : -std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
@@ -98,8 +100,8 @@ double log_beta_binomial(double k, double n, double psi, double eta) {
   const double v = 1 / (eta * eta) - 1;
   if (v > 1e8) return log_binomial(k, n, p, 1 - p);  // apart by less than n^2/2e8, and free of round-off
   const double a = p * v, b = (1 - p) * v;
-  return std::lgamma(k + a) - std::lgamma(a) + std::lgamma(n - k + b) - std::lgamma(b) + std::lgamma(v) -
-         std::lgamma(n + v);
+  return boost::math::lgamma(k + a) - boost::math::lgamma(a) + boost::math::lgamma(n - k + b) -
+         boost::math::lgamma(b) + boost::math::lgamma(v) - boost::math::lgamma(n + v);
 }
 
 }  // namespace palpate::analysis

@@ -1,6 +1,7 @@
 #include "analysis/statistics/counts_distribution.hpp"
 
 #include <boost/math/distributions/binomial.hpp>
+#include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 
 namespace palpate::analysis {
@@ -25,7 +26,7 @@ std::vector<double> beta_binomial_counts(long trials, double probability, double
   if (overdispersion == 0.0) return binomial_counts(trials, probability);
   const double sum = 1 / overdispersion - 1, a = probability * sum, b = (1 - probability) * sum;
   const auto log_beta = [](double x, double y) {
-    return std::lgamma(x) + std::lgamma(y) - std::lgamma(x + y);
+    return boost::math::lgamma(x) + boost::math::lgamma(y) - boost::math::lgamma(x + y);
   };
   const double n = static_cast<double>(trials);
   std::vector<double> counts;
