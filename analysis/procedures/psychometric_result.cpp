@@ -3,13 +3,13 @@
 #include <fmt/core.h>
 
 #include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 #include <functional>
 #include <limits>
 
 #include "analysis/psychometric/measures.hpp"
 #include "analysis/psychometric/profile.hpp"
+#include "analysis/statistics/log_gamma.hpp"
 
 namespace palpate::analysis {
 namespace {
@@ -90,7 +90,7 @@ double log_coefficients(const std::vector<Block>& blocks) {
   double sum = 0.0;
   for (const Block& block : blocks) {
     const double k = static_cast<double>(block.correct), n = static_cast<double>(block.trials);
-    sum += boost::math::lgamma(n + 1) - boost::math::lgamma(k + 1) - boost::math::lgamma(n - k + 1);
+    sum += log_gamma(n + 1) - log_gamma(k + 1) - log_gamma(n - k + 1);
   }
   return sum;
 }

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -11,6 +10,7 @@
 
 #include "analysis/psychometric/bayes.hpp"
 #include "analysis/psychometric/likelihood.hpp"
+#include "analysis/statistics/log_gamma.hpp"
 #include "analysis/words.hpp"
 
 namespace palpate::analysis {
@@ -100,8 +100,8 @@ double log_beta_binomial(double k, double n, double psi, double eta) {
   const double v = 1 / (eta * eta) - 1;
   if (v > 1e8) return log_binomial(k, n, p, 1 - p);  // apart by less than n^2/2e8, and free of round-off
   const double a = p * v, b = (1 - p) * v;
-  return boost::math::lgamma(k + a) - boost::math::lgamma(a) + boost::math::lgamma(n - k + b) -
-         boost::math::lgamma(b) + boost::math::lgamma(v) - boost::math::lgamma(n + v);
+  return log_gamma(k + a) - log_gamma(a) + log_gamma(n - k + b) - log_gamma(b) + log_gamma(v) -
+         log_gamma(n + v);
 }
 
 }  // namespace palpate::analysis

@@ -1,8 +1,9 @@
 #include "analysis/statistics/counts_distribution.hpp"
 
 #include <boost/math/distributions/binomial.hpp>
-#include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
+
+#include "analysis/statistics/log_gamma.hpp"
 
 namespace palpate::analysis {
 
@@ -25,9 +26,7 @@ std::vector<double> binomial_counts(long trials, double probability) {
 std::vector<double> beta_binomial_counts(long trials, double probability, double overdispersion) {
   if (overdispersion == 0.0) return binomial_counts(trials, probability);
   const double sum = 1 / overdispersion - 1, a = probability * sum, b = (1 - probability) * sum;
-  const auto log_beta = [](double x, double y) {
-    return boost::math::lgamma(x) + boost::math::lgamma(y) - boost::math::lgamma(x + y);
-  };
+  const auto log_beta = [](double x, double y) { return log_gamma(x) + log_gamma(y) - log_gamma(x + y); };
   const double n = static_cast<double>(trials);
   std::vector<double> counts;
   for (long count = 0; count <= trials; ++count) {
