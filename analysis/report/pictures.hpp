@@ -22,4 +22,13 @@ std::string examinees_picture(const StudyReport& report);
 /// it.
 std::string curves_picture(const StudyReport& report);
 
+/// Proportion correct by the interval that held the correct condition, with its interval, for each cell.
+std::string orders_picture(const StudyReport& report);
+
+/// Range, quartiles and median of the response times of each cell.
+std::string times_picture(const StudyReport& report);
+
+/// How late the haptic loop was at worst, for each stimulus, beside its period.
+std::string loop_picture(const StudyReport& report);
+
 }  // namespace palpate::analysis

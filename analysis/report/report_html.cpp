@@ -136,6 +136,10 @@ std::string stimulus_section(const StudyReport& report) {
       figure(curves,
              "Force on the finger over the depth of the press, as presented: mean over presses, band: one "
              "standard deviation between them.");
+  text += figure(
+      loop_picture(report),
+      "The haptic loop: the time within which 99.9 % of the cycles followed the one before, in the worst "
+      "interval of each stimulus. Dashed: the period of 1 ms that is aimed at.");
   if (!report.stimuli.empty()) text += html_table(stimulus_table(report));
   return text + kEnd;
 }
@@ -143,7 +147,11 @@ std::string stimulus_section(const StudyReport& report) {
 std::string response_time_section(const StudyReport& report) {
   const TextTable table = response_time_table(report);
   if (table.rows.empty()) return "";
-  return heading("times", "How long did the answers take?", "secondary") + html_table(table) + kEnd;
+  return heading("times", "How long did the answers take?", "secondary") +
+         figure(times_picture(report),
+                "Thin line: from the fastest to the slowest answer; box: the middle half; black line: the "
+                "median.") +
+         html_table(table) + kEnd;
 }
 
 std::string plan_section(const StudyReport& report) {
@@ -192,6 +200,10 @@ std::string html_report(const StudyReport& report) {
          header(report) + summary_section(report) + primary_section(report) + people_section(report) +
          comparison_section(report) +
          heading("sensitivity", "Sensitivity and the order of the intervals", "secondary") +
+         figure(orders_picture(report),
+                fmt::format("Percentage correct (dot) with its {} interval, by the interval that held {}. "
+                            "Dashed: chance.",
+                            short_percent(report.options.level), report.design.correct_condition)) +
          html_table(sensitivity_table(report)) + kEnd + response_time_section(report) +
          stimulus_section(report) + plan_section(report) + method_sections(report) +
          provenance_section(report) + "</main>\n</div>\n</body>\n</html>\n";

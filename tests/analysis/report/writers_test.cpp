@@ -153,6 +153,28 @@ TEST(HtmlReport, CarriesItsBannersAndItsPictures) {
   EXPECT_THAT(html, HasSubstr("aria-labelledby=\"answers-title answers-text\""));
 }
 
+// What a study with people and a device has: orders, response times, the loop's timing, each with its
+// picture.
+TEST(HtmlReport, ShowsOrdersResponseTimesAndTheLoop) {
+  StudyTable table = test::study_table(test::like_the_paper());
+  for (std::size_t i = 0; i < table.trials.size(); ++i) {
+    table.trials[i].response_time_s = 0.8 + 0.02 * static_cast<double>(i % 37);
+    for (IntervalRow& interval : table.trials[i].intervals) {
+      interval.loop_p999_ms = 1.0 + 0.001 * static_cast<double>(i);
+      interval.missed_cycles = i == 7 ? 3 : 0;
+    }
+  }
+  const std::string html = html_report(analyse(table));
+  for (const char* picture : {"orders-title", "times-picture-title", "loop-title"})
+    EXPECT_THAT(html, HasSubstr(picture));
+  EXPECT_THAT(html, HasSubstr("hard first: 28 of 30"));
+  EXPECT_THAT(html, HasSubstr("3 missed cycles"));
+  const std::string simulated =
+      html_report(analyse(test::study_table(test::like_the_paper(), 4, "simulated")));
+  EXPECT_THAT(simulated, Not(HasSubstr("loop-title")));  // a loop that did not run in real time has no timing
+  if (const char* file = std::getenv("PALPATE_KEEP_REPORT")) std::ofstream(file) << html;  // to be looked at
+}
+
 TEST(Svg, TicksAreRoundAndCoverTheAxis) {
   const Axis axis = nice_axis(0, 2.73, 5, true, "force (N)");
   EXPECT_EQ(axis.ticks, (std::vector<double>{0, 1, 2, 3}));
