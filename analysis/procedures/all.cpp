@@ -46,6 +46,7 @@ const Procedure& procedure_named(std::string_view name) {
       std::find_if(all.begin(), all.end(), [&](const Procedure& one) { return one.name == name; });
   if (found != all.end()) return *found;
   std::vector<std::string> names;
+  names.reserve(all.size());
   for (const Procedure& one : all) names.push_back(one.name);
   throw std::invalid_argument("there is no procedure '" + std::string(name) +
                               "'; accepted: " + listed(names));

@@ -111,13 +111,14 @@ void add_batch(CLI::App& stats) {
 nlohmann::ordered_json read_part(const std::string& file) {
   std::ifstream in(file);
   if (!in) throw std::invalid_argument(file + ": cannot be opened: no such file, or no right to read it");
-  const auto part = nlohmann::ordered_json::parse(in, nullptr, false);
+  auto part = nlohmann::ordered_json::parse(in, nullptr, false);
   if (part.is_object()) return part;
   throw std::invalid_argument(file + ": no JSON object; accepted: what --shard K/N --format json printed");
 }
 
 void merge(const std::vector<std::string>& files, const std::string& format) {
   std::vector<nlohmann::ordered_json> parts;
+  parts.reserve(files.size());
   for (const std::string& file : files) parts.push_back(read_part(file));
   const auto is_power = [](const nlohmann::ordered_json& part) {
     return part.value("kind", "") == "power simulation";
