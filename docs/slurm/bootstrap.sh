@@ -1,6 +1,7 @@
 #!/bin/sh
 # Bootstrap of a psychometric function in as many parts as the array has tasks, on a Slurm cluster:
 #
+#   mkdir -p parts
 #   REPLICATES=100000 SEED=1 sbatch --array=1-20 docs/slurm/bootstrap.sh answers.csv --guess 1/2 --shape weibull
 #   palpate stats merge parts/*.json
 #

@@ -1,6 +1,7 @@
 #!/bin/sh
 # Power of a protocol by playing whole studies, in as many parts as the array has tasks, on a Slurm cluster:
 #
+#   mkdir -p parts
 #   STUDIES=1000 SEED=1 sbatch --array=1-50 docs/slurm/power.sh protocols/kuroda2003.toml
 #   palpate stats merge parts/*.json        # when all are done: the same bits as one run gives
 #
