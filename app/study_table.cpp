@@ -8,6 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <tuple>
 
 #include "sim/io/sha256.hpp"
 
@@ -112,8 +113,9 @@ struct Stimulus {
   std::string run_mode{};
   std::size_t cell = 0;
   std::string condition{};
-  auto operator<=>(const Stimulus&) const =
-      default;  // NOLINT(modernize-use-nullptr): of the compiler's own zero
+  bool operator<(const Stimulus& other) const {
+    return std::tie(run_mode, cell, condition) < std::tie(other.run_mode, other.cell, other.condition);
+  }
 };
 using Presented = std::map<Stimulus, std::vector<std::int64_t>>;  // ids of presentations
 

@@ -75,8 +75,7 @@ TEST_F(Merge, AFullDiskLeavesNothing) {
   std::string command = std::string("ulimit -f 100; trap '' XFSZ; exec ") + PALPATE_PROGRAM;
   for (const std::string& word : join("all.db")) command += " " + word;
   command += " 2> " + file("said");
-  const int status =
-      std::system(("bash -c \"" + command + "\" > /dev/null").c_str());  // NOLINT(concurrency-mt-unsafe)
+  const int status = std::system(("bash -c \"" + command + "\" > /dev/null").c_str());
   EXPECT_EQ(WEXITSTATUS(status), 3) << read(folder_ / "said");
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_.path()), {}),
             3);  // two studies, what was said

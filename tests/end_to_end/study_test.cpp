@@ -187,8 +187,7 @@ TEST_F(StudyEndToEnd, AFullDiskIsSaidAndLosesNothing) {
   const std::string command = "ulimit -f " + std::to_string(blocks) + "; trap '' XFSZ; exec " +
                               PALPATE_PROGRAM + " simulate " + kProtocol + " --study " + file("a.db") +
                               " --examinees 6 --seed 1 2> " + file("said");
-  const int status =
-      std::system(("bash -c \"" + command + "\" > /dev/null").c_str());  // NOLINT(concurrency-mt-unsafe)
+  const int status = std::system(("bash -c \"" + command + "\" > /dev/null").c_str());
   EXPECT_EQ(WEXITSTATUS(status), 3);
   EXPECT_THAT(read(folder_ / "said"), HasSubstr("every answer given before is kept"));
   const Outcome verified = run({"verify", file("a.db")});

@@ -94,7 +94,7 @@ TEST_F(Datasets, HaveTheForceOfEveryPresentation) {
       (folder_ / "out" / (std::string(kSitting) + "_recording-force_physio.tsv.gz")).string() +
       "' | awk '$5 == 1 { n++; if ($14 < least) least = $14 } END { print n, least }' > '" +
       (folder_ / "awk").string() + "'";
-  ASSERT_EQ(std::system(counted.c_str()), 0);            // NOLINT(concurrency-mt-unsafe)
+  ASSERT_EQ(std::system(counted.c_str()), 0);
   EXPECT_EQ(test::read(folder_ / "awk"), "808 -0.4\n");  // 8 intervals of 101 samples; 100 N/m, 4 mm deep
 }
 
