@@ -27,14 +27,6 @@ Column flag(std::string name, std::string title, std::string yes, std::string no
           .levels = {{"0", no}, {"1", yes}}};
 }
 
-Column whole(std::string name, std::string title, std::string description, double least) {
-  return {.name = std::move(name),
-          .title = std::move(title),
-          .description = std::move(description),
-          .kind = Kind::Whole,
-          .least = least};
-}
-
 Column measure(std::string name, std::string title, std::string description, std::string unit) {
   return {.name = std::move(name),
           .title = std::move(title),
@@ -55,7 +47,7 @@ Column missing_too(Column column) {
 
 Column interval_number(const Protocol& protocol, std::string name, std::string title,
                        std::string description) {
-  Column column = whole(std::move(name), std::move(title), std::move(description), 1);
+  Column column = whole_column(std::move(name), std::move(title), std::move(description), 1);
   column.most = intervals_per_trial(protocol);
   return column;
 }
@@ -66,10 +58,10 @@ Column participant() {
   return column;
 }
 Column sitting() {
-  return whole("session_id", "Sitting", "Number of this examinee's sitting", 1);
+  return whole_column("session_id", "Sitting", "Number of this examinee's sitting", 1);
 }
 Column question() {
-  return whole("trial", "Trial", "Number of the question within the sitting", 1);
+  return whole_column("trial", "Trial", "Number of the question within the sitting", 1);
 }
 
 Column run_mode() {
@@ -121,7 +113,7 @@ std::vector<Column> presentation_columns(const Protocol& protocol, bool may_be_c
                            "Share of cycles in which the device's limit cut the force", "");
   clamped.most = 1;
   std::vector<Column> measured{
-      whole("n_presses", "Presses", "How often the finger went in", 0),
+      whole_column("n_presses", "Presses", "How often the finger went in", 0),
       measure("exploration_time_s", "Exploration time", "From onset to end of the interval", "s"),
       measure("peak_force_n", "Peak force", "Largest force on the finger", "N"),
       measure("max_depth_m", "Largest depth", "Deepest point in contact", "m"), clamped};
@@ -131,7 +123,7 @@ std::vector<Column> presentation_columns(const Protocol& protocol, bool may_be_c
               "Hz"),
       measure("loop_p999_ms", "Jitter of the haptic loop",
               "99.9 % of cycles began no later than this after the one before", "ms"),
-      whole("missed_cycles", "Missed cycles", "Cycles that the haptic loop missed", 0)};
+      whole_column("missed_cycles", "Missed cycles", "Cycles that the haptic loop missed", 0)};
   columns.push_back(proposed);
   columns.push_back(presented);
   columns.insert(columns.end(), measured.begin(), measured.end());
@@ -140,6 +132,14 @@ std::vector<Column> presentation_columns(const Protocol& protocol, bool may_be_c
 }
 
 }  // namespace
+
+Column whole_column(std::string name, std::string title, std::string description, double least) {
+  return {.name = std::move(name),
+          .title = std::move(title),
+          .description = std::move(description),
+          .kind = Kind::Whole,
+          .least = least};
+}
 
 std::string_view to_string(Kind kind) {
   switch (kind) {
@@ -159,7 +159,7 @@ std::vector<Column> trial_columns(const Protocol& protocol) {
   std::vector<Column> columns{
       participant(),
       sitting(),
-      whole("block", "Block", "Part of the sitting", 1),
+      whole_column("block", "Block", "Part of the sitting", 1),
       question(),
       run_mode(),
       one_of(text("task", "Task", "What was asked"), protocol.task,
@@ -201,7 +201,8 @@ std::vector<Column> interval_columns(const Protocol& protocol) {
 
 std::vector<Column> exposure_columns(const Protocol& protocol) {
   std::vector<Column> columns = presentation_columns(protocol, true);
-  columns.push_back(whole("draw", "Draw", "How often the trial's order had been drawn again by then", 0));
+  columns.push_back(
+      whole_column("draw", "Draw", "How often the trial's order had been drawn again by then", 0));
   columns.push_back(text("why", "Why it did not count", "Why the presentation did not count"));
   columns.push_back(run_mode());
   return columns;

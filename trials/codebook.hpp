@@ -31,6 +31,9 @@ struct Column {
   bool may_be_missing = false;  // written n/a then
 };
 
+/// A column of whole numbers, none below `least`.
+Column whole_column(std::string name, std::string title, std::string description, double least);
+
 // The columns of the three tables, for a study of this protocol. A name that stands in several of them is
 // described in the same words.
 std::vector<Column> trial_columns(const Protocol& protocol);

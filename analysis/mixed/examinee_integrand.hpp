@@ -44,7 +44,8 @@ struct ExamineeIntegrand {
     Value sum{.g = -u.squaredNorm() / 2};
     const Eigen::Vector2d line = beta + lambda * u;
     for (std::size_t j = first; j < last; ++j) {
-      const Likelihood at = likelihood(link, line[0] + line[1] * data.x[j], data.ones[j], data.trials[j]);
+      const BinaryLikelihood at =
+          likelihood(link, line[0] + line[1] * data.x[j], data.ones[j], data.trials[j]);
       sum.g += at.log;
       sum.scores[0] += at.score;
       sum.scores[1] += at.score * data.x[j];
@@ -57,7 +58,7 @@ struct ExamineeIntegrand {
     const Eigen::Vector2d line = beta + lambda * u;
     for (std::size_t j = first; j < last; ++j) {
       const double x = data.x[j];
-      const Likelihood at = likelihood(link, line[0] + line[1] * x, data.ones[j], data.trials[j]);
+      const BinaryLikelihood at = likelihood(link, line[0] + line[1] * x, data.ones[j], data.trials[j]);
       sum.value.g += at.log;
       sum.value.scores[0] += at.score;
       sum.value.scores[1] += at.score * x;

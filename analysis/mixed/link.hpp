@@ -19,14 +19,14 @@ double quantile_of(Link link, double p);
 
 /// log of the probability of `ones` ones among `trials` answers in a given order, and its derivatives to eta.
 /// The curvature is the observed one (not its expectation), never negative: both links are log-concave.
-struct Likelihood {
+struct BinaryLikelihood {
   double log = 0.0;
   double score = 0.0;            // d log/d eta
   double curvature = 0.0;        // w = -d2 log/d eta2
   double curvature_slope = 0.0;  // dw/d eta
 };
 
-inline Likelihood logit_likelihood(double eta, double ones, double trials) {
+inline BinaryLikelihood logit_likelihood(double eta, double ones, double trials) {
   const double e = std::exp(-std::abs(eta)), tail = e / (1 + e);  // the smaller of the two probabilities
   const double p = eta > 0 ? 1 - tail : tail;
   const double v = trials * tail * (1 - tail);
@@ -57,8 +57,8 @@ inline NormalTail normal_tail(double s) {
   return {.log = std::log(tail), .ratio = density / tail};
 }
 
-inline Likelihood probit_likelihood(double eta, double ones, double trials) {
-  Likelihood sum;
+inline BinaryLikelihood probit_likelihood(double eta, double ones, double trials) {
+  BinaryLikelihood sum;
   const auto add = [&](double sign, double count) {
     if (count == 0) return;
     const double s = sign * eta;
@@ -74,7 +74,7 @@ inline Likelihood probit_likelihood(double eta, double ones, double trials) {
   return sum;
 }
 
-inline Likelihood likelihood(Link link, double eta, double ones, double trials) {
+inline BinaryLikelihood likelihood(Link link, double eta, double ones, double trials) {
   return link == Link::Logit ? logit_likelihood(eta, ones, trials) : probit_likelihood(eta, ones, trials);
 }
 

@@ -3,9 +3,9 @@
 #include <Eigen/Dense>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
+#include "analysis/infinity.hpp"
 #include "analysis/mixed/examinee_integrand.hpp"
 #include "analysis/mixed/gauss_hermite.hpp"
 
@@ -82,7 +82,7 @@ Movement<Q> movement(const ExamineeIntegrand<Q>& integrand, const typename Exami
 // The sum of exp(log) over nodes and its gradient, by exp(largest), so that nothing underflows.
 template <typename Parameters>
 struct NodeSum {
-  double largest = -std::numeric_limits<double>::infinity(), sum = 0.0;
+  double largest = -kInfinity, sum = 0.0;
   Parameters slopes = Parameters::Zero();
 
   void add(double log, const Parameters& log_slopes) {

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <stdexcept>
 
+#include "analysis/infinity.hpp"
 #include "analysis/statistics/result.hpp"
 
 namespace palpate::analysis {
@@ -42,7 +42,7 @@ double log_ways(long ones, long trials) {
 
 // The levels over which each kind of answer was given.
 struct Reach {
-  double least_zero = std::numeric_limits<double>::infinity(), most_zero = -least_zero;
+  double least_zero = kInfinity, most_zero = -least_zero;
   double least_one = least_zero, most_one = -least_zero;
 
   void add(double level, const Counts& counts) {

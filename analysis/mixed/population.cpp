@@ -4,26 +4,23 @@
 
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
+#include "analysis/infinity.hpp"
+#include "analysis/statistics/standard_normal.hpp"
+
 namespace palpate::analysis {
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-double two_sided_quantile(double level) {
-  return quantile(complement(boost::math::normal(), (1 - level) / 2));
-}
 
 Coefficient coefficient(double estimate, double variance, double level) {
   Coefficient result{.estimate = estimate, .standard_error = std::sqrt(variance)};
   result.z = estimate / result.standard_error;
   result.p = std::erfc(std::abs(result.z) / std::numbers::sqrt2);
-  const double half = two_sided_quantile(level) * result.standard_error;
+  const double half = critical_z(level) * result.standard_error;
   result.interval = {.lower = estimate - half, .upper = estimate + half, .level = level, .method = "Wald"};
   return result;
 }
@@ -34,7 +31,7 @@ Interval fieller(double lower, double upper, double level) {
 
 // The levels x at which b0 + b1 x is within z standard errors of 0.
 LevelEstimate pse_of(const GlmmFit& fit, double level) {
-  const double b0 = fit.fixed[0], b1 = fit.fixed[1], z = two_sided_quantile(level);
+  const double b0 = fit.fixed[0], b1 = fit.fixed[1], z = critical_z(level);
   const Eigen::Matrix2d& v = fit.covariance;
   LevelEstimate pse{.estimate = -b0 / b1};
   const Eigen::Vector2d slopes(-1 / b1, b0 / (b1 * b1));
@@ -43,7 +40,7 @@ LevelEstimate pse_of(const GlmmFit& fit, double level) {
   if (std::isnan(a)) {
     pse.interval = fieller(kNaN, kNaN, level);
   } else if (a <= 0) {
-    pse.interval = fieller(-kInfinite, kInfinite, level);
+    pse.interval = fieller(-kInfinity, kInfinity, level);
   } else {
     const double root = std::sqrt(b * b - a * c);  // real where a > 0
     pse.interval = fieller((-b - root) / a, (-b + root) / a, level);
@@ -57,7 +54,7 @@ LevelEstimate jnd_of(const GlmmFit& fit, const Coefficient& slope, double level)
   jnd.standard_error = jnd.estimate * slope.standard_error / std::abs(slope.estimate);
   const double half = slope.interval.upper - slope.estimate;
   const double least = std::abs(slope.estimate) - half, most = std::abs(slope.estimate) + half;
-  jnd.interval = fieller(distance / most, least <= 0 ? kInfinite : distance / least, level);
+  jnd.interval = fieller(distance / most, least <= 0 ? kInfinity : distance / least, level);
   if (std::isnan(half)) jnd.interval = fieller(kNaN, kNaN, level);
   return jnd;
 }

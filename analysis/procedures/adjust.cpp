@@ -21,7 +21,7 @@ std::vector<double> p_values(const Arguments& asked) {
   return table ? number_column(asked.table, "p") : asked.numbers("p");
 }
 
-Outcome run(const Arguments& asked) {
+Outcome adjust_outcome(const Arguments& asked) {
   const std::vector<double> p = p_values(asked);
   const std::vector<double> by_holm = holm(p), by_hochberg = hochberg(p), by_bh = benjamini_hochberg(p);
   const Method method = {.name = "p values adjusted by Holm, Hochberg, and Benjamini & Hochberg",
@@ -69,7 +69,7 @@ Procedure adjust_procedure() {
                   {"hochberg", "adjusted, in the same order"},
                   {"benjamini_hochberg", "adjusted, in the same order"}},
       .example = {{"p", {0.010, 0.002, 0.041, 0.300}}},
-      .run = run};
+      .run = adjust_outcome};
 }
 
 }  // namespace palpate::analysis

@@ -46,7 +46,7 @@ std::string in_words(const BayesFactor& result) {
          method_line(result.method);
 }
 
-Outcome run(const Arguments& asked) {
+Outcome bayes_outcome(const Arguments& asked) {
   const std::vector<double> prior = asked.numbers("prior");
   if (prior.size() != 2) {
     throw std::invalid_argument(fmt::format("prior has {}; accepted: two, a and b of a beta distribution",
@@ -93,7 +93,7 @@ Procedure bayes_procedure() {
                   {"posterior_median", "of the proportion, if it is not chance"},
                   {"interval", "credible, for the same"}},
       .example = {{"correct", 41}, {"trials", 60}},
-      .run = run};
+      .run = bayes_outcome};
 }
 
 }  // namespace palpate::analysis

@@ -73,7 +73,7 @@ std::string in_words(const BetaBinomial& fit) {
          method_line(fit.method);
 }
 
-Outcome run(const Arguments& asked) {
+Outcome beta_binomial_outcome(const Arguments& asked) {
   const BetaBinomial fit =
       beta_binomial(read_examinee_counts(asked.table), {.chance = asked.number("chance"),
                                                         .corrected = asked.text("model") == "corrected",
@@ -127,7 +127,7 @@ Procedure beta_binomial_procedure() {
                    {{"correct", {3, 2, 6, 8, 3, 4, 6, 0, 9}}, {"trials", {10, 9, 8, 9, 8, 6, 9, 10, 10}}}},
                   {"chance", "1/2"},
                   {"model", "plain"}},
-      .run = run};
+      .run = beta_binomial_outcome};
 }
 
 }  // namespace palpate::analysis

@@ -27,7 +27,7 @@ std::string in_words(const BinomialTest& test) {
          bound_line(test) + method_line(test.method);
 }
 
-Outcome run(const Arguments& asked) {
+Outcome binomial_outcome(const Arguments& asked) {
   const BinomialTest test = binomial_test(asked.count("correct"), asked.count("trials"),
                                           asked.number("chance"), asked.side(), asked.level());
   return {.json = to_json(test), .text = in_words(test)};
@@ -63,7 +63,7 @@ Procedure binomial_procedure() {
                   {"wilson", "interval for the proportion, Wilson"},
                   {"jeffreys", "interval for the proportion, Jeffreys"}},
       .example = {{"correct", 41}, {"trials", 60}, {"chance", "1/2"}, {"side", "greater"}},
-      .run = run};
+      .run = binomial_outcome};
 }
 
 }  // namespace palpate::analysis

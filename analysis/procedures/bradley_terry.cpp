@@ -84,7 +84,7 @@ std::string in_words(const PairedScaling& result) {
          method_line(result.method);
 }
 
-Outcome run(const Arguments& asked) {
+Outcome bradley_terry_outcome(const Arguments& asked) {
   std::optional<std::string> reference;
   if (asked.given("reference")) reference = asked.text("reference");
   const PairedScaling result = paired_scaling(
@@ -140,7 +140,7 @@ Procedure bradley_terry_procedure() {
                         {"loser", {"firm", "soft", "hard", "soft", "hard", "firm"}},
                         {"count", {14, 18, 6, 15, 2, 5}}}},
                       {"reference", "soft"}},
-          .run = run};
+          .run = bradley_terry_outcome};
 }
 
 }  // namespace palpate::analysis

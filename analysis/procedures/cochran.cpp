@@ -50,7 +50,7 @@ std::string in_words(const CochranTest& test, const std::vector<std::string>& na
          method_line(test.method);
 }
 
-Outcome run(const Arguments& asked) {
+Outcome cochran_outcome(const Arguments& asked) {
   const std::vector<std::string> names = matrix_names(asked.table);
   const CochranTest test = cochran_test(number_columns(asked.table), bootstrap_options(asked));
   return {.json = as_json(test, names), .text = in_words(test, names)};
@@ -90,7 +90,7 @@ Procedure cochran_procedure() {
                    {{"none", {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 0}},
                     {"sibille", {1, 0, 1, 0, 1, 1, 0, 0, 1, 1, 0, 0}},
                     {"kuroda", {1, 1, 1, 1, 1, 1, 0, 1, 1, 1, 0, 1}}}}},
-      .run = run};
+      .run = cochran_outcome};
 }
 
 }  // namespace palpate::analysis

@@ -29,7 +29,7 @@ std::string in_words(const CriticalNumber& critical) {
          method_line(critical.method);
 }
 
-Outcome run(const Arguments& asked) {
+Outcome critical_outcome(const Arguments& asked) {
   const CriticalNumber critical =
       critical_number(asked.count("trials"), asked.number("chance"), asked.number("alpha"), asked.side());
   return {.json = to_json(critical), .text = in_words(critical)};
@@ -54,7 +54,7 @@ Procedure critical_procedure() {
                       {"at_most", "So many or fewer reject; null: no number does"},
                       {"size", "Probability of a rejection when everybody guesses"}},
           .example = {{"trials", 60}, {"chance", "1/2"}, {"alpha", 0.05}, {"side", "greater"}},
-          .run = run};
+          .run = critical_outcome};
 }
 
 }  // namespace palpate::analysis

@@ -31,7 +31,7 @@ std::string in_words(const DPrime& d_prime) {
          below_chance(d_prime) + method_line(d_prime.method);
 }
 
-Outcome run(const Arguments& asked) {
+Outcome dprime_outcome(const Arguments& asked) {
   std::optional<long> alternatives;
   std::optional<Strategy> strategy;
   if (asked.given("alternatives")) alternatives = asked.count("alternatives");
@@ -90,7 +90,7 @@ Procedure dprime_procedure() {
                   {"standard_error", "by the delta method; null where there is none"},
                   {"interval", "from the exact interval for the proportion"}},
       .example = {{"correct", 41}, {"trials", 60}},
-      .run = run};
+      .run = dprime_outcome};
 }
 
 }  // namespace palpate::analysis

@@ -26,7 +26,7 @@ std::string in_words(const ExamineeLevelTest& test, Side side) {
          method_line(test.method);
 }
 
-Outcome run(const Arguments& asked) {
+Outcome examinee_level_outcome(const Arguments& asked) {
   const ExamineeLevelTest test =
       examinee_level_test(read_examinee_counts(asked.table), asked.number("chance"),
                           {.level = asked.level(),
@@ -75,7 +75,7 @@ Procedure examinee_level_procedure() {
                   {"interval", "for the mean proportion, by inverting the test"},
                   {"test", "The permutation test on proportions less chance"}},
       .example = {{"data", {{"correct", {8, 7, 9, 5, 6, 8}}, {"trials", {10, 10, 10, 10, 10, 10}}}}},
-      .run = run};
+      .run = examinee_level_outcome};
 }
 
 }  // namespace palpate::analysis

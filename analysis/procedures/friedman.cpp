@@ -47,7 +47,7 @@ std::string in_words(const FriedmanTest& test, const std::vector<std::string>& n
          method_line(test.method);
 }
 
-Outcome run(const Arguments& asked) {
+Outcome friedman_outcome(const Arguments& asked) {
   const std::vector<std::string> names = matrix_names(asked.table);
   const FriedmanTest test = friedman_test(number_columns(asked.table), bootstrap_options(asked));
   return {.json = as_json(test, names), .text = in_words(test, names)};
@@ -85,7 +85,7 @@ Procedure friedman_procedure() {
                    {{"none", {2.1, 1.8, 2.5, 1.9, 2.2, 2.0, 2.4, 1.7}},
                     {"sibille", {2.6, 2.0, 2.4, 2.3, 2.2, 2.5, 2.9, 2.1}},
                     {"kuroda", {3.0, 2.4, 2.9, 2.2, 2.8, 2.6, 2.7, 2.5}}}}},
-      .run = run};
+      .run = friedman_outcome};
 }
 
 }  // namespace palpate::analysis

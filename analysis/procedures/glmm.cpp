@@ -134,7 +134,7 @@ std::string in_words(const GlmmAnalysis& result) {
          method_line(result.method);
 }
 
-Outcome run(const Arguments& asked) {
+Outcome glmm_outcome(const Arguments& asked) {
   const GlmmAnalysis result = glmm_analysis(
       read_answers(asked.table),
       {.link = link_from_name(asked.text("link")),
@@ -144,7 +144,7 @@ Outcome run(const Arguments& asked) {
   return {.json = json_of(result), .text = in_words(result)};
 }
 
-std::vector<Input> inputs() {
+std::vector<Input> glmm_inputs() {
   return {{.name = "link",
            .kind = Input::Kind::Choice,
            .meaning = "Scale on which the answers follow the level",
@@ -172,7 +172,7 @@ Data data() {
                       {.name = "trials", .meaning = "of so many", .optional = true}}};
 }
 
-std::vector<Output> outputs() {
+std::vector<Output> glmm_outputs() {
   return {
       {"examinees", "How many answered"},
       {"rows", "Rows of data"},
@@ -210,16 +210,16 @@ Procedure glmm_procedure() {
           "belong to a psychometric function with one. PSE and JND are those of an examinee in the middle "
           "of the population. With few answers an examinee, 9 nodes and more are nearer to the truth than "
           "Laplace's approximation.",
-      .inputs = inputs(),
+      .inputs = glmm_inputs(),
       .data = data(),
-      .outputs = outputs(),
+      .outputs = glmm_outputs(),
       .example = {{"data",
                    {{"examinee", {"P1", "P1", "P1", "P2", "P2", "P2", "P3", "P3", "P3", "P4", "P4", "P4"}},
                     {"level", {1, 2, 3, 1, 2, 3, 1, 2, 3, 1, 2, 3}},
                     {"correct", {1, 5, 9, 3, 6, 10, 0, 3, 8, 2, 7, 9}},
                     {"trials", {10, 10, 10, 10, 10, 10, 10, 10, 10, 10, 10, 10}}}},
                   {"link", "probit"}},
-      .run = run};
+      .run = glmm_outcome};
 }
 
 }  // namespace palpate::analysis

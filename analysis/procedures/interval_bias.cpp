@@ -43,7 +43,7 @@ std::string in_words(const IntervalBias& bias, Side side) {
   return text + method_line(bias.method);
 }
 
-Outcome run(const Arguments& asked) {
+Outcome interval_bias_outcome(const Arguments& asked) {
   const auto [correct_first, trials_first] = count_pair(asked, "first");
   const auto [correct_second, trials_second] = count_pair(asked, "second");
   const IntervalBias bias = interval_bias({.correct_first = correct_first,
@@ -87,7 +87,7 @@ Procedure interval_bias_procedure() {
                    "d', its standard error and interval, and criterion from both hit rates; null without "
                    "both orders"}},
       .example = {{"first", {26, 30}}, {"second", {15, 30}}},
-      .run = run};
+      .run = interval_bias_outcome};
 }
 
 }  // namespace palpate::analysis

@@ -15,7 +15,7 @@ std::string region(const CriticalNumber& critical) {
   return "no number rejects";
 }
 
-Outcome run(const Arguments& asked) {
+Outcome looks_outcome(const Arguments& asked) {
   const std::vector<long> trials = asked.counts("trials");
   const auto looks = planned_looks(trials, asked.number("chance"), asked.number("alpha"), asked.side(),
                                    spending_from_name(asked.text("spending")));
@@ -72,7 +72,7 @@ Procedure looks_procedure() {
                    "For each: trials, alpha_spent, at_least or at_most, rejected_by_now under guessing"},
                   {"size", "Probability that guessing is rejected at any look"}},
       .example = {{"trials", {40, 80, 120}}, {"alpha", 0.05}, {"spending", "obrien-fleming"}},
-      .run = run};
+      .run = looks_outcome};
 }
 
 }  // namespace palpate::analysis

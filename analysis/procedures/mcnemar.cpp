@@ -32,7 +32,7 @@ std::string in_words(const McNemarTest& test) {
          method_line(test.method);
 }
 
-Outcome run(const Arguments& asked) {
+Outcome mcnemar_outcome(const Arguments& asked) {
   const std::vector<long> counts = asked.counts("table");
   if (counts.size() != 4) {
     throw std::invalid_argument(
@@ -76,7 +76,7 @@ Procedure mcnemar_procedure() {
                   {"p_asymptotic_corrected", "two-sided p value of it"},
                   {"degrees_of_freedom", "of chi-squared: 1"}},
       .example = {{"table", {794, 86, 150, 570}}},
-      .run = run};
+      .run = mcnemar_outcome};
 }
 
 }  // namespace palpate::analysis

@@ -6,6 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "analysis/infinity.hpp"
+
 namespace palpate::analysis {
 namespace {
 
@@ -21,7 +23,7 @@ std::vector<Replicate> replicates_from(const ordered_json& values) {
   const std::size_t count = values.at("deviance").size();
   for (std::size_t i = 0; i < count; ++i) {
     replicates.push_back({.alpha = value_or(values.at("alpha").at(i), kNone),
-                          .beta = value_or(values.at("beta").at(i), std::numeric_limits<double>::infinity()),
+                          .beta = value_or(values.at("beta").at(i), kInfinity),
                           .lapse = value_or(values.at("lapse").at(i), kNone),
                           .deviance = values.at("deviance").at(i)});
   }

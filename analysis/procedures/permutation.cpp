@@ -18,7 +18,7 @@ std::string in_words(const SignFlipTest& test, Side side) {
          method_line(test.method);
 }
 
-Outcome run(const Arguments& asked) {
+Outcome permutation_outcome(const Arguments& asked) {
   const SignFlipTest test = sign_flip_test(number_column(asked.table, "difference"),
                                            {.level = asked.level(),
                                             .resamples = asked.count("resamples"),
@@ -63,7 +63,7 @@ Procedure permutation_procedure() {
                   {"seed", "of the random part; null when there is none"},
                   {"interval", "for the mean, by inverting the test"}},
       .example = {{"data", {{"difference", {3, 1, 2, -1, 4, 2, 0, 3, 1, 2}}}}},
-      .run = run};
+      .run = permutation_outcome};
 }
 
 }  // namespace palpate::analysis

@@ -49,7 +49,7 @@ std::string in_words(const PowerCurve& curve, const PowerAsked& asked, const std
          method_line(size.method);
 }
 
-Outcome run(const Arguments& asked) {
+Outcome power_outcome(const Arguments& asked) {
   const PowerAsked power{.chance = asked.number("chance"),
                          .probability = probability_of(asked),
                          .alpha = asked.number("alpha"),
@@ -119,7 +119,7 @@ Procedure power_procedure() {
                       {"sample_size", "first and lasting numbers of answers with the target"},
                       {"sawtooth", "power of every number of answers looked at"}},
           .example = {{"probability", 0.7}, {"trials", 60}, {"each", 4}},
-          .run = run};
+          .run = power_outcome};
 }
 
 }  // namespace palpate::analysis

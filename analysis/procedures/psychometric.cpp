@@ -98,13 +98,13 @@ Outcome outcome_of(const PsychometricRequest& request, const Fitted& one,
   return outcome;
 }
 
-Outcome run(const Arguments& asked) {
+Outcome asked_psychometric(const Arguments& asked) {
   const PsychometricRequest request = psychometric_request(asked);
   return asked.given("shard") ? psychometric_shard(request, shard_from_text(asked.text("shard")))
                               : psychometric_outcome(request);
 }
 
-std::vector<Input> inputs() {
+std::vector<Input> psychometric_inputs() {
   std::vector<Input> all{shape_input(), guess_input()};
   for (const Input& input : lapse_inputs()) all.push_back(input);
   all.push_back(threshold_at_input());
@@ -133,7 +133,7 @@ std::vector<Input> inputs() {
   return all;
 }
 
-std::vector<Output> outputs() {
+std::vector<Output> psychometric_outputs() {
   return {{"status", "fitted, separable (infinite slope), no rise, or unfit levels"},
           {"why", "why there is no function; null where fitted"},
           {"shape", "Form of F"},
@@ -195,15 +195,15 @@ Procedure psychometric_procedure() {
           "then the level at F = 0.5 is the point of subjective equality. The lapse rate is fixed or free "
           "within bounds. It asks for blocks of independent answers with one function for all; the deviance "
           "tells where that is wrong. Separable answers have an infinite slope: the result says so.",
-      .inputs = inputs(),
+      .inputs = psychometric_inputs(),
       .data = block_data(),
-      .outputs = outputs(),
+      .outputs = psychometric_outputs(),
       .example = {{"data",
                    {{"level", {0, 2, 4, 6, 8, 10}},
                     {"correct", {26, 30, 38, 46, 50, 49}},
                     {"trials", {50, 50, 50, 50, 50, 50}}}},
                   {"shape", "logistic"}},
-      .run = run};
+      .run = asked_psychometric};
 }
 
 }  // namespace palpate::analysis

@@ -38,7 +38,7 @@ ordered_json unanswered(const std::string& why) {
   return {{"procedure", "psychometric-bayes"}, {"status", "unfit levels"}, {"why", why}};
 }
 
-Outcome run(const Arguments& asked) {
+Outcome psychometric_bayes_outcome(const Arguments& asked) {
   const std::vector<Block> blocks = blocks_of(asked.table);
   const Shape shape = shape_from_name(asked.text("shape"));
   const std::optional<double> guess = guess_of(asked);
@@ -112,7 +112,7 @@ Procedure psychometric_bayes_procedure() {
                         {"correct", {5, 6, 8, 10, 10}},
                         {"trials", {10, 10, 10, 10, 10}}}},
                       {"guess", "1/2"}},
-          .run = run};
+          .run = psychometric_bayes_outcome};
 }
 
 }  // namespace palpate::analysis

@@ -60,7 +60,7 @@ std::string hypothesis_of(Same same) {
                                  : "all conditions have the same slope (beta)";
 }
 
-Outcome run(const Arguments& asked) {
+Outcome psychometric_compare_outcome(const Arguments& asked) {
   const PsychometricModel model = model_of(asked);
   const std::vector<PsychometricCondition> conditions = conditions_of(asked.table);
   const Same same = same_from_name(asked.text("same"));
@@ -147,7 +147,7 @@ Procedure psychometric_compare_procedure() {
                     {"condition", {"a", "a", "a", "a", "a", "b", "b", "b", "b", "b"}}}},
                   {"guess", 0},
                   {"same", "threshold"}},
-      .run = run};
+      .run = psychometric_compare_outcome};
 }
 
 }  // namespace palpate::analysis

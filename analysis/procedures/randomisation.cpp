@@ -37,23 +37,23 @@ std::string in_words(const OrderRandomisationTest& test, Side side) {
          method_line(test.method);
 }
 
-nlohmann::ordered_json to_json(const OrderRandomisationTest& test, Side side) {
+nlohmann::ordered_json randomisation_json(const OrderRandomisationTest& test, Side side) {
   nlohmann::ordered_json json = {{"procedure", "randomisation"},
                                  {"correct", test.correct},
                                  {"trials", test.trials},
                                  {"expected", test.expected},
                                  {"standard_deviation", test.standard_deviation},
-                                 {"p_values", analysis::to_json(test.p)},
-                                 {"critical", analysis::to_json(test.critical)},
-                                 {"method", analysis::to_json(test.method)}};
+                                 {"p_values", to_json(test.p)},
+                                 {"critical", to_json(test.critical)},
+                                 {"method", to_json(test.method)}};
   put_side(json, side);
   return json;
 }
 
-Outcome run(const Arguments& asked) {
+Outcome randomisation_outcome(const Arguments& asked) {
   const OrderRandomisationTest test =
       order_randomisation_test(strata_of(asked.table), asked.number("alpha"), asked.side());
-  return {.json = to_json(test, asked.side()), .text = in_words(test, asked.side())};
+  return {.json = randomisation_json(test, asked.side()), .text = in_words(test, asked.side())};
 }
 
 }  // namespace
@@ -91,7 +91,7 @@ Procedure randomisation_procedure() {
                     {"correct_first", {2, 2, 2, 2}},
                     {"answers_first", {2, 1, 2, 2}},
                     {"correct", {4, 3, 4, 2}}}}},
-      .run = run};
+      .run = randomisation_outcome};
 }
 
 }  // namespace palpate::analysis

@@ -11,7 +11,7 @@
 namespace palpate::analysis {
 namespace {
 
-Outcome run(const Arguments& asked) {
+Outcome same_different_outcome(const Arguments& asked) {
   const auto [hits, different] = count_pair(asked, "different");
   const auto [false_alarms, same] = count_pair(asked, "same");
   const Strategy strategy = strategy_from_name(asked.text("strategy"));
@@ -62,7 +62,7 @@ Procedure same_different_procedure() {
                  level_input()},
       .outputs = outputs,
       .example = {{"different", {24, 30}}, {"same", {9, 30}}, {"strategy", "differencing"}},
-      .run = run};
+      .run = same_different_outcome};
 }
 
 }  // namespace palpate::analysis

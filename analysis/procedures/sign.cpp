@@ -21,7 +21,7 @@ std::string in_words(const SignTest& test, Side side) {
          method_line(test.method);
 }
 
-Outcome run(const Arguments& asked) {
+Outcome sign_outcome(const Arguments& asked) {
   const SignTest test = sign_test(number_column(asked.table, "difference"), asked.level());
   Outcome outcome{.json = to_json(test), .text = in_words(test, asked.side())};
   put_side(outcome.json, asked.side());
@@ -52,7 +52,7 @@ Procedure sign_procedure() {
                   {"median", "of the differences"},
                   {"interval", "for the median, by order statistics"}},
       .example = {{"data", {{"difference", {3, 1, 2, -1, 4, 2, 0, 3, 1, 2}}}}, {"side", "greater"}},
-      .run = run};
+      .run = sign_outcome};
 }
 
 }  // namespace palpate::analysis

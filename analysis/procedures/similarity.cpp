@@ -67,7 +67,7 @@ double bound_of(const Arguments& asked) {
   return proportion_at(asked.number("discriminators"), asked.number("chance"));
 }
 
-Outcome run(const Arguments& asked) {
+Outcome similarity_outcome(const Arguments& asked) {
   const SimilarityTest test = similarity_test(asked.count("correct"), asked.count("trials"),
                                               asked.number("chance"), bound_of(asked), asked.number("alpha"));
   return {.json = as_json(test), .text = in_words(test)};
@@ -116,7 +116,7 @@ Procedure similarity_procedure() {
                   {"size", "Probability of a claim of similarity at the bound"},
                   {"power_at_chance", "Probability of a claim of similarity when everybody guesses"}},
       .example = {{"correct", 22}, {"trials", 66}, {"chance", "1/3"}, {"discriminators", 0.3}},
-      .run = run};
+      .run = similarity_outcome};
 }
 
 }  // namespace palpate::analysis

@@ -82,7 +82,7 @@ std::string in_words(const StevensFit& fit) {
          method_line(fit.method);
 }
 
-Outcome run(const Arguments& asked) {
+Outcome stevens_outcome(const Arguments& asked) {
   const StevensFit fit = stevens_fit(read_estimates(asked.table), asked.level());
   return {.json = json_of(fit), .text = in_words(fit)};
 }
@@ -127,7 +127,7 @@ Procedure stevens_procedure() {
                    {{"examinee", {"P1", "P1", "P1", "P2", "P2", "P2", "P3", "P3", "P3"}},
                     {"level", {1, 2, 4, 1, 2, 4, 1, 2, 4}},
                     {"estimate", {10, 18, 30, 2, 3, 7, 50, 90, 140}}}}},
-      .run = run};
+      .run = stevens_outcome};
 }
 
 }  // namespace palpate::analysis

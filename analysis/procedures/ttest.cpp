@@ -38,7 +38,7 @@ std::string in_words(const PairedTTest& test, Side side) {
          method_line(test.method);
 }
 
-Outcome run(const Arguments& asked) {
+Outcome ttest_outcome(const Arguments& asked) {
   const PairedTTest test = paired_t_test(number_column(asked.table, "difference"), asked.level());
   Outcome outcome{.json = as_json(test), .text = in_words(test, asked.side())};
   put_side(outcome.json, asked.side());
@@ -70,7 +70,7 @@ Procedure ttest_procedure() {
                       {"cohen_dz", "Effect size, mean/standard deviation"},
                       {"cohen_dz_interval", "for it, by the noncentral t distribution"}},
           .example = {{"data", {{"difference", {3, 1, 2, -1, 4, 2, 0, 3, 1, 2}}}}},
-          .run = run};
+          .run = ttest_outcome};
 }
 
 }  // namespace palpate::analysis

@@ -24,7 +24,7 @@ std::string in_words(const SignedRankTest& test, const Interval& effect, Side si
          method_line(test.method);
 }
 
-Outcome run(const Arguments& asked) {
+Outcome wilcoxon_outcome(const Arguments& asked) {
   const std::vector<double> differences = number_column(asked.table, "difference");
   const Zeros zeros = zeros_from_name(asked.text("zeros"));
   const SignedRankTest test = signed_rank_test(differences, zeros, asked.level());
@@ -70,7 +70,7 @@ Procedure wilcoxon_procedure() {
                       {"pseudo_median", "Hodges-Lehmann estimate of the centre"},
                       {"interval", "for the centre"}},
           .example = {{"data", {{"difference", {3, 1, 2, -1, 4, 2, 0, 3, 1, 2}}}}, {"zeros", "pratt"}},
-          .run = run};
+          .run = wilcoxon_outcome};
 }
 
 }  // namespace palpate::analysis

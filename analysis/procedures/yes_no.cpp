@@ -18,7 +18,7 @@ std::string criterion_in_words(const Detection& result) {
                      number(result.standard_error / 2), favoured, number(c * result.d_prime));
 }
 
-Outcome run(const Arguments& asked) {
+Outcome yes_no_outcome(const Arguments& asked) {
   const auto [hits, signal_trials] = count_pair(asked, "signal");
   const auto [false_alarms, noise_trials] = count_pair(asked, "noise");
   const Detection result = yes_no({.hits = hits,
@@ -59,7 +59,7 @@ Procedure yes_no_procedure() {
                  level_input()},
       .outputs = outputs,
       .example = {{"signal", {20, 30}}, {"noise", {8, 30}}},
-      .run = run};
+      .run = yes_no_outcome};
 }
 
 }  // namespace palpate::analysis

@@ -5,15 +5,13 @@
 #include <algorithm>
 #include <boost/math/distributions/binomial.hpp>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
+#include "analysis/infinity.hpp"
 #include "analysis/psychometric/goodness.hpp"
 
 namespace palpate::analysis {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 std::uint64_t mixed(std::uint64_t z) {  // the output function of SplitMix64
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;

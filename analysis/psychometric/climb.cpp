@@ -76,10 +76,10 @@ bool meets(const Line& next, const Line& rival) {
 
 }  // namespace
 
-Climb climb(const Design& design, std::span<const double> correct, const Line& start, const Climb* rival) {
+Summit climb(const Design& design, std::span<const double> correct, const Line& start, const Summit* rival) {
   const double lapse_lower = design.model.lapse_lower, lapse_upper = design.model.lapse_upper;
   const double steepest = kSteepest / design.least_gap;
-  Climb at{.line = start};
+  Summit at{.line = start};
   Likelihood here = likelihood(design, correct, at.line);
   while (at.iterations < kMostIterations && at.line.rise > kLeastRise && at.line.rise < steepest) {
     ++at.iterations;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "analysis/infinity.hpp"
 #include "analysis/psychometric/climb.hpp"
 #include "analysis/psychometric/limits.hpp"
 
@@ -12,7 +13,6 @@ namespace palpate::analysis {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kSame = 1e-7;  // likelihoods that differ by less cannot be told apart on the way to a limit
 
 PsychometricFit flat_fit(const FlatLimit& flat) {
@@ -35,7 +35,7 @@ PsychometricFit step_fit(const StepLimit& step) {
           .probability = step.probability};
 }
 
-PsychometricFit judged(const Design& design, std::span<const double> correct, const Climb& best) {
+PsychometricFit judged(const Design& design, std::span<const double> correct, const Summit& best) {
   const StepLimit step = best_step(design, correct);
   const FlatLimit flat = best_flat(design, correct);
   const double beyond_flat = std::max(best.log_likelihood, step.log_likelihood);
@@ -55,9 +55,9 @@ PsychometricFit judged(const Design& design, std::span<const double> correct, co
 Fitter::Fitter(Design design) : design_(std::move(design)), grid_(design_) {}
 
 PsychometricFit Fitter::fit(std::span<const double> correct) const {
-  Climb best{.log_likelihood = -kInfinity};
+  Summit best{.log_likelihood = -kInfinity};
   for (const Line& start : grid_.starts(correct)) {
-    const Climb other = climb(design_, correct, start, &best);
+    const Summit other = climb(design_, correct, start, &best);
     if (other.log_likelihood > best.log_likelihood) best = other;
   }
   return judged(design_, correct, best);

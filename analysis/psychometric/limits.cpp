@@ -1,8 +1,8 @@
 #include "analysis/psychometric/limits.hpp"
 
 #include <algorithm>
-#include <limits>
 
+#include "analysis/infinity.hpp"
 #include "analysis/psychometric/likelihood.hpp"
 
 namespace palpate::analysis {
@@ -36,7 +36,7 @@ double log_at(const Counts& counts, double p) {
 StepLimit best_step(const Design& design, std::span<const double> correct) {
   const PsychometricModel& model = design.model;
   const std::size_t groups = design.group.size() - 1, rows = correct.size();
-  StepLimit best{.log_likelihood = -std::numeric_limits<double>::infinity()};
+  StepLimit best{.log_likelihood = -kInfinity};
   for (std::size_t i = 0; i < groups; ++i) {
     const std::size_t first = design.group[i], end = design.group[i + 1];
     const double below = log_at(between(design, correct, 0, first), model.guess);

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "analysis/infinity.hpp"
+
 namespace palpate::analysis {
 
 double level_at(Shape shape, double alpha, double beta, double p) {
@@ -19,7 +21,7 @@ double slope_at(Shape shape, double alpha, double beta, double p) {
 
 double half_distance(Shape shape, double alpha, double beta) {
   if (std::isinf(beta)) return 0.0;
-  if (beta == 0) return std::numeric_limits<double>::infinity();
+  if (beta == 0) return kInfinity;
   return 0.5 * (level_at(shape, alpha, beta, 0.75) - level_at(shape, alpha, beta, 0.25));
 }
 

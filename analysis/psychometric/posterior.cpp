@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
 
+#include "analysis/infinity.hpp"
 #include "analysis/psychometric/bayes.hpp"
 #include "analysis/psychometric/likelihood.hpp"
 #include "analysis/statistics/log_gamma.hpp"
@@ -39,7 +39,7 @@ double log_prior(const BayesProblem& problem, const BayesPoint& at) {
   const double density = threshold_prior(problem, at[kThreshold]) * width_prior(problem, at[kWidth]) *
                          beta_1_10(at[kLapse]) * beta_1_10(at[kEta]) *
                          (problem.guess_is_free ? beta_1_10(at[kGuess]) : 1.0);
-  return density > 0 ? std::log(density) : -std::numeric_limits<double>::infinity();
+  return density > 0 ? std::log(density) : -kInfinity;
 }
 
 }  // namespace

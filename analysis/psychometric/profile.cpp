@@ -5,9 +5,9 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <vector>
 
+#include "analysis/infinity.hpp"
 #include "analysis/psychometric/limits.hpp"
 #include "analysis/psychometric/measures.hpp"
 #include "analysis/psychometric/search.hpp"
@@ -15,9 +15,8 @@
 namespace palpate::analysis {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr int kScan = 40;       // values of the free parameter before the maximum is refined
-constexpr double kFar = 100.0;  // ranges of levels from the levels: a threshold beyond is none
+constexpr int kProfileScan = 40;  // values of the free parameter before the maximum is refined
+constexpr double kFar = 100.0;    // ranges of levels from the levels: a threshold beyond is none
 
 // A measure's value on an axis along which it is searched: the place u for a level, else the logarithm.
 struct Axis {
@@ -64,7 +63,7 @@ double best_over_lapse(const Design& design, std::span<const double> correct, Li
 double best_over_free(const Design& design, std::span<const double> correct, const Axis& axis, double place) {
   const double from = axis.free_from(place), to = axis.free_to(place);
   const auto height = [&](double free) { return best_over_lapse(design, correct, axis.line(place, free)); };
-  return greatest(height, from, to, kScan).value;
+  return greatest(height, from, to, kProfileScan).value;
 }
 
 Axis level_axis(const Design& design, double at) {

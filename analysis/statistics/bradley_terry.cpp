@@ -5,12 +5,12 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <stdexcept>
 
 #include "analysis/mixed/link.hpp"
 #include "analysis/statistics/comparison_graph.hpp"
+#include "analysis/statistics/standard_normal.hpp"
 #include "analysis/words.hpp"
 
 namespace palpate::analysis {
@@ -28,7 +28,7 @@ struct At {
 
 // What one win would say of the difference, in the mean over its two outcomes.
 double expected_curvature(Link link, double difference) {
-  const Likelihood win = likelihood(link, difference, 1, 1), loss = likelihood(link, difference, 0, 1);
+  const BinaryLikelihood win = likelihood(link, difference, 1, 1), loss = likelihood(link, difference, 0, 1);
   return std::exp(win.log) * win.curvature + std::exp(loss.log) * loss.curvature;
 }
 
@@ -43,7 +43,7 @@ At evaluate(const ComparisonGraph& graph, Link link, const Eigen::VectorXd& valu
       const double wins = graph.wins[a][b], trials = wins + graph.wins[b][a];
       if (trials == 0) continue;
       const double difference = values[i] - values[j];
-      const Likelihood pair = likelihood(link, difference, wins, trials);
+      const BinaryLikelihood pair = likelihood(link, difference, wins, trials);
       at.log_likelihood += pair.log;
       at.scores[i] += pair.score, at.scores[j] -= pair.score;
       const auto add = [&](Eigen::MatrixXd& information, double weight) {
@@ -149,7 +149,7 @@ PairedScaling paired_scaling(const std::vector<Comparison>& comparisons, ScaleMo
   PairedScaling result{.model = model, .reference = reference, .converged = scale.converged};
   result.log_likelihood = scale.at.log_likelihood;
   judge(result, graph);
-  const double z = quantile(complement(boost::math::normal(), (1 - level) / 2));
+  const double z = critical_z(level);
   for (Eigen::Index i = 0; i < count; ++i) {
     ScaledItem item{.name = graph.names[static_cast<std::size_t>(i)], .value = values[i]};
     for (const Comparison& one : comparisons) {

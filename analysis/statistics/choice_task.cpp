@@ -8,9 +8,11 @@
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
+
+#include "analysis/infinity.hpp"
+#include "analysis/statistics/standard_normal.hpp"
 
 namespace palpate::analysis {
 namespace {
@@ -20,14 +22,6 @@ using Quadrature = boost::math::quadrature::gauss_kronrod<double, 61>;
 
 constexpr double kReach = 10.0;    // standard deviations: 1e-23 of the noise lies beyond
 constexpr double kLargest = 50.0;  // d' at which every task is certain to the last digit
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-double phi(double x) {
-  return pdf(boost::math::normal(), x);
-}
-double Phi(double x) {
-  return cdf(boost::math::normal(), x);
-}
 
 template <typename Function>
 double integral(const Function& f, double from, double to) {

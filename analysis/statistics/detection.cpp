@@ -4,28 +4,21 @@
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
+#include "analysis/infinity.hpp"
 #include "analysis/statistics/detection_rates.hpp"
+#include "analysis/statistics/standard_normal.hpp"
 
 namespace palpate::analysis {
 namespace {
 
 using std::numbers::sqrt2;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 double z(double proportion) {
   if (proportion <= 0) return -kInfinity;
   if (proportion >= 1) return kInfinity;
   return quantile(boost::math::normal(), proportion);
-}
-double phi(double x) {
-  return pdf(boost::math::normal(), x);
-}
-double Phi(double x) {
-  return cdf(boost::math::normal(), x);
 }
 
 Detection with_rates(const DetectionCounts& counts, DPrimeCorrection correction, double level) {

@@ -6,18 +6,15 @@
 #include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
-#include <limits>
 #include <numbers>
+
+#include "analysis/infinity.hpp"
+#include "analysis/statistics/standard_normal.hpp"
 
 namespace palpate::analysis {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kFar = 30.0;  // a d' beyond what any number of answers can tell from certainty
-
-double Phi(double x) {
-  return cdf(boost::math::normal(), x);
-}
 
 double term(long count, double probability) {  // 0 log 0 = 0, and no infinity that would stop the search
   return count == 0 ? 0.0 : static_cast<double>(count) * std::log(std::max(probability, 1e-300));

@@ -7,13 +7,12 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "analysis/infinity.hpp"
 #include "analysis/statistics/detection.hpp"
 #include "analysis/statistics/proportion_interval.hpp"
 
 namespace palpate::analysis {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // The delta method: the binomial standard error of the proportion over the slope of the task's function.
 double standard_error_of(const DPrime& result) {

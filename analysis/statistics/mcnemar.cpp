@@ -4,20 +4,20 @@
 
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 #include <stdexcept>
 
+#include "analysis/infinity.hpp"
 #include "analysis/statistics/binomial_test.hpp"
 #include "analysis/statistics/proportion_interval.hpp"
+#include "analysis/statistics/standard_normal.hpp"
 
 namespace palpate::analysis {
 namespace {
 
 double odds(double proportion) {
-  return proportion < 1 ? proportion / (1 - proportion) : std::numeric_limits<double>::infinity();
+  return proportion < 1 ? proportion / (1 - proportion) : kInfinity;
 }
 
 void fill_p(McNemarTest& test, long b) {
@@ -39,7 +39,7 @@ void fill_estimates(McNemarTest& test, double level) {
   const double b = static_cast<double>(test.table.first_only),
                c = static_cast<double>(test.table.second_only);
   const double n = static_cast<double>(test.pairs);
-  const double z = quantile(complement(boost::math::normal(), (1 - level) / 2));
+  const double z = critical_z(level);
   const double half = z * std::sqrt(std::max(0.0, b + c - (b - c) * (b - c) / n)) / n;
   test.difference = (b - c) / n;
   test.difference_interval = {.lower = std::max(-1.0, test.difference - half),
@@ -48,7 +48,7 @@ void fill_estimates(McNemarTest& test, double level) {
                               .method = "Wald (large samples)"};
   test.odds_ratio = b / c;
   test.odds_ratio_interval = {.lower = 0.0,
-                              .upper = std::numeric_limits<double>::infinity(),
+                              .upper = kInfinity,
                               .level = level,
                               .method = "exact, from Clopper-Pearson on the discordant pairs"};
   if (test.discordant == 0) return;

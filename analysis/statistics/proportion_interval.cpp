@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <boost/math/distributions/beta.hpp>
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
+
+#include "analysis/statistics/standard_normal.hpp"
 
 namespace palpate::analysis {
 namespace {
@@ -49,7 +50,7 @@ Interval wilson(long correct, long trials, double level) {
   require_counts(correct, trials);
   require_level(level, "confidence level");
   const double n = static_cast<double>(trials), p = static_cast<double>(correct) / n;
-  const double z = quantile(complement(boost::math::normal(), (1 - level) / 2));
+  const double z = critical_z(level);
   const double centre = (p + z * z / (2 * n)) / (1 + z * z / n);
   const double half = z / (1 + z * z / n) * std::sqrt(p * (1 - p) / n + z * z / (4 * n * n));
   return {.lower = correct == 0 ? 0.0 : std::max(0.0, centre - half),  // exactly, not to round-off

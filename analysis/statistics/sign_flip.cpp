@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "analysis/infinity.hpp"
 #include "analysis/statistics/sign_sums.hpp"
 
 namespace palpate::analysis {
@@ -111,7 +112,6 @@ PValues p_of(const Subsets& subsets, std::span<const double> d, double added) {
 // The mean shift mu is not rejected at (1 - level)/2 while 1 + #{J: mean_J <= mu} exceeds that share of
 // patterns.
 Interval invert(Subsets subsets, double patterns, double level, std::string method) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Interval interval{.lower = -kInfinity, .upper = kInfinity, .level = level, .method = std::move(method)};
   const auto m = static_cast<std::ptrdiff_t>((1 - level) / 2 * patterns * (1 + 1e-12));
   std::vector<double>& means = subsets.means;

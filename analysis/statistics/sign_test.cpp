@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "analysis/infinity.hpp"
 #include "analysis/statistics/binomial_test.hpp"
 #include "analysis/statistics/critical_number.hpp"
 #include "analysis/statistics/proportion_interval.hpp"
@@ -16,7 +17,6 @@ namespace {
 
 // The k-th smallest and k-th largest enclose the median unless fewer than k lie on one side of it.
 Interval median_interval(const std::vector<double>& sorted, double level) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Interval interval{.lower = -kInfinity, .upper = kInfinity, .level = level, .method = "order statistics"};
   const long n = std::ssize(sorted);
   const auto rejected = critical_number(n, 0.5, (1 - level) / 2, Side::Less).at_most;

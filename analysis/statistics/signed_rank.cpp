@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <vector>
 
+#include "analysis/infinity.hpp"
 #include "analysis/statistics/sign_sums.hpp"
 
 namespace palpate::analysis {
@@ -113,7 +113,6 @@ void estimate(std::span<const double> d, double level, SignedRankTest& test) {
   };
   test.pseudo_median = (smallest((means.size() - 1) / 2) + smallest(means.size() / 2)) / 2;
 
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   test.interval = {.lower = -kInfinity,
                    .upper = kInfinity,
                    .level = level,
@@ -124,7 +123,7 @@ void estimate(std::span<const double> d, double level, SignedRankTest& test) {
   test.interval.upper = smallest(means.size() - m);
 }
 
-void validate(std::span<const double> differences, double level) {
+void validate_ranks(std::span<const double> differences, double level) {
   if (differences.empty())
     throw std::invalid_argument("no differences; the signed-rank test needs at least 1");
   if (differences.size() > kLargest) {
@@ -148,7 +147,7 @@ std::string_view name_of(Zeros zeros) {
 }
 
 SignedRankTest signed_rank_test(std::span<const double> differences, Zeros zeros, double level) {
-  validate(differences, level);
+  validate_ranks(differences, level);
   const Ranks ranks = rank(differences, zeros);
   SignedRankTest test{.n = differences.size(),
                       .zeros = differences.size() - ranks.doubled.size(),
@@ -171,7 +170,7 @@ SignedRankTest signed_rank_test(std::span<const double> differences, Zeros zeros
 
 Interval rank_biserial_interval(std::span<const double> differences, Zeros zeros,
                                 const BootstrapOptions& options) {
-  validate(differences, options.level);
+  validate_ranks(differences, options.level);
   std::vector<double> drawn(differences.size());
   const auto statistic = [&](std::span<const std::size_t> chosen) {
     std::transform(chosen.begin(), chosen.end(), drawn.begin(),

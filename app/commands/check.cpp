@@ -27,7 +27,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-struct Options {
+struct CheckOptions {
   SceneOptions input{};
   std::string unit;
   std::string format;
@@ -203,7 +203,7 @@ void print(const Check& check, const std::string& format) {
     print_text(check);
 }
 
-void check_mesh(const Options& options) {
+void check_mesh(const CheckOptions& options) {
   if (options.unit.empty())
     throw std::invalid_argument(fmt::format(
         "{}: a mesh file does not name its unit; give --unit m, cm, mm or um", options.input.file));
@@ -214,7 +214,7 @@ void check_mesh(const Options& options) {
     fmt::print("{}", to_text(report));
 }
 
-void run(const Options& options) {
+void run_check(const CheckOptions& options) {
   const std::string ending = std::filesystem::path(options.input.file).extension();
   if (ending == ".msh" || ending == ".vtu") return check_mesh(options);
   const toml::table file = sim::read_toml(options.input.file);
@@ -232,7 +232,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_check(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CheckOptions>();
   CLI::App* command =
       app.add_subcommand("check", "Validates a protocol, a scene or a mesh, and says what it amounts to");
   add_scene(*command, options->input);
@@ -243,7 +243,7 @@ void add_check(CLI::App& app) {
       "Examples:\n  palpate check protocols/kuroda2003.toml\n  palpate check "
       "data/scenes/rectal-palpation.toml\n"
       "  palpate check prostate.msh --unit mm");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_check(*options); });
 }
 
 }  // namespace palpate::app

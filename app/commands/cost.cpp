@@ -22,7 +22,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-struct Options {
+struct CostOptions {
   std::vector<std::string> scenes;
   SceneOptions common{};  // of all scenes; its file is not used
   std::string depth;
@@ -60,7 +60,7 @@ std::string versions() {
   return fmt::format("palpate {}, GCC {}", PALPATE_VERSION, __VERSION__);
 }
 
-SceneCost measure(const Options& options, const std::string& file, sim::ComplianceCache& cache) {
+SceneCost measure(const CostOptions& options, const std::string& file, sim::ComplianceCache& cache) {
   SceneOptions scene = options.common;
   scene.file = file;
   const sim::Model model = sim::compile(load_scene(scene), cache);
@@ -195,7 +195,7 @@ Plot over_depth(const SceneCost& scene) {
   return plot;
 }
 
-void run(const Options& options) {
+void run_cost(const CostOptions& options) {
   if (!options.plot.empty()) check_plot_file(options.plot);
   sim::ComplianceCache cache = user_cache();
   std::vector<SceneCost> costs;
@@ -212,7 +212,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_cost(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CostOptions>();
   CLI::App* command = app.add_subcommand("cost", "What accuracy costs in time (Fig. 5)");
   command->add_option("scenes", options->scenes, "Scene files (TOML), one or several")->required();
   command->add_option("--model", options->common.model,
@@ -232,7 +232,7 @@ void add_cost(CLI::App& app) {
       "the\n"
       "time to read once the compliance that the final contacts need. Measure on a quiet machine.\n"
       "Example:\n  palpate cost data/scenes/sphere-on-cube-*.toml --model kuroda --plot fig5.svg");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_cost(*options); });
 }
 
 }  // namespace palpate::app

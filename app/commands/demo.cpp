@@ -13,7 +13,7 @@
 namespace palpate::app {
 namespace {
 
-struct Options {
+struct DemoOptions {
   std::string out = "palpate-demo";
   int examinees = 15;
   trials::Seed seed{};
@@ -29,7 +29,7 @@ std::filesystem::path fresh_folder(const std::filesystem::path& wanted) {
   return folder;
 }
 
-void run(const Options& options) {
+void run_demo(const DemoOptions& options) {
   const std::filesystem::path observer = default_observer();
   const std::filesystem::path protocol = observer.parent_path().parent_path() / "kuroda2003.toml";
   const std::filesystem::path folder = fresh_folder(options.out);
@@ -50,7 +50,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_demo(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<DemoOptions>();
   CLI::App* command =
       app.add_subcommand("demo", "The 2003 study from start to report, with simulated examinees");
   command
@@ -63,7 +63,7 @@ void add_demo(CLI::App& app) {
   command->add_option("--seed", options->seed,
                       "Makes orders and answers repeatable; else the system's entropy");
   command->footer("Example:\n  palpate demo --seed 1\nNo person takes part; every page says so.");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_demo(*options); });
 }
 
 }  // namespace palpate::app

@@ -14,12 +14,12 @@
 namespace palpate::app {
 namespace {
 
-struct Options {
+struct ExportOptions {
   std::string study, as, out;
   std::vector<std::string> authors;
 };
 
-void run(const Options& options) {
+void run_export(const ExportOptions& options) {
   const trials::StudyFile study = trials::read_study(options.study);
   trials::ExportFacts facts{
       .authors = options.authors, .software_version = PALPATE_VERSION, .exported_utc = trials::utc_now()};
@@ -38,7 +38,7 @@ void run(const Options& options) {
   trials::export_bids(study, facts, options.out);
 }
 
-std::vector<std::string> written(const Options& options) {
+std::vector<std::string> written(const ExportOptions& options) {
   if (options.as == "csv") return {"trials.csv", "intervals.csv", "exposures.csv", "codebook.csv"};
   if (options.as == "json") return {"study.json"};
   return {""};
@@ -47,7 +47,7 @@ std::vector<std::string> written(const Options& options) {
 }  // namespace
 
 void add_export(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ExportOptions>();
   CLI::App* command = app.add_subcommand("export", "Writes the trial log for other tools");
   command->add_option("study", options->study, "Study file")->required();
   command->add_option("--as", options->as, "Format")
@@ -73,7 +73,7 @@ void add_export(CLI::App& app) {
       "  palpate export study.db --as csv --out exported\n"
       "  palpate export study.db --as bids --out exported-bids --author 'A. Author' --author 'B. Author'\n");
   command->callback([options] {
-    run(*options);
+    run_export(*options);
     for (const std::string& file : written(*options))
       fmt::print("{}\n", (std::filesystem::path(options->out) / file).string());
   });

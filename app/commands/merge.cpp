@@ -15,12 +15,12 @@
 namespace palpate::app {
 namespace {
 
-struct Options {
+struct MergeOptions {
   std::string out, format;
   std::vector<std::string> files, sites;
 };
 
-std::vector<trials::MergeSource> sources_of(const Options& options) {
+std::vector<trials::MergeSource> sources_of(const MergeOptions& options) {
   std::vector<trials::MergeSource> sources;
   for (const std::string& file : options.files) sources.push_back({.file = file});
   for (const std::string& site : options.sites) {
@@ -32,7 +32,7 @@ std::vector<trials::MergeSource> sources_of(const Options& options) {
   return sources;
 }
 
-void run(const Options& options) {
+void run_merge(const MergeOptions& options) {
   trials::merge_studies(options.out, sources_of(options), PALPATE_VERSION);
   const trials::StudyFile study = trials::read_study(options.out);
   const auto parts = trials::merged_parts(study.events());
@@ -54,7 +54,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_merge(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<MergeOptions>();
   CLI::App* command = app.add_subcommand("merge", "Joins study files of several sites into a new one");
   command->add_option("out", options->out, "The new study file; nothing is overwritten")->required();
   command->add_option("studies", options->files,
@@ -74,7 +74,7 @@ void add_merge(CLI::App& app) {
       "Example:\n"
       "  palpate merge all.db osaka.db kyoto.db\n"
       "  palpate merge all.db --site Osaka=osaka.db --site Kyoto=kyoto.db\n");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_merge(*options); });
 }
 
 }  // namespace palpate::app

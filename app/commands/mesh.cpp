@@ -15,7 +15,7 @@
 namespace palpate::app {
 namespace {
 
-struct Options {
+struct MeshOptions {
   std::string file;
   std::string unit;
   std::string out;
@@ -27,7 +27,7 @@ std::string check_ending(const std::string& out) {
   return ending == ".msh" || ending == ".vtu" ? "" : out + ": .msh and .vtu are accepted";
 }
 
-void run(const Options& options) {
+void run_mesh(const MeshOptions& options) {
   const MeshReport report = inspect_mesh(options.file, sim::metres_per_unit(options.unit));
   if (!options.out.empty()) {
     if (std::filesystem::path(options.out).extension() == ".msh")
@@ -45,7 +45,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_mesh(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<MeshOptions>();
   CLI::App* command = app.add_subcommand("mesh", "Reads, checks and converts a tetrahedral mesh");
   command->add_option("file", options->file, "Gmsh MSH 2.2 or 4.1 (text or binary) or VTU")->required();
   command->add_option("--unit", options->unit, "Unit of the file's coordinates")
@@ -55,7 +55,7 @@ void add_mesh(CLI::App& app) {
       ->check(CLI::Validator(check_ending, "FILE.msh|FILE.vtu"));
   add_format(*command, options->format);
   command->footer("Example:\n  palpate mesh prostate.msh --unit mm --out prostate.vtu");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_mesh(*options); });
 }
 
 }  // namespace palpate::app

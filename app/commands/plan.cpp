@@ -14,7 +14,7 @@
 namespace palpate::app {
 namespace {
 
-struct Options {
+struct PlanOptions {
   std::string protocol, freeze, format;
   double overdispersion = 0.0;
   long studies = 0;
@@ -22,7 +22,7 @@ struct Options {
   std::string observer, shard = "1/1";
 };
 
-void run_simulation(const Options& options, const trials::Protocol& protocol) {
+void play_studies(const PlanOptions& options, const trials::Protocol& protocol) {
   PowerSimulation simulation{
       .studies = options.studies, .seed = options.seed, .observer = default_observer()};
   if (!options.observer.empty()) simulation.observer = options.observer;
@@ -35,9 +35,9 @@ void run_simulation(const Options& options, const trials::Protocol& protocol) {
   }
 }
 
-void run(const Options& options) {
+void run_plan(const PlanOptions& options) {
   const trials::Protocol protocol = trials::load_protocol(options.protocol);
-  if (options.studies > 0) return run_simulation(options, protocol);
+  if (options.studies > 0) return play_studies(options, protocol);
   const StudyPlan plan = study_plan(protocol, options.overdispersion);
   const std::string frozen = options.freeze.empty() ? "" : freeze_plan(protocol, options.freeze);
   if (options.format == "json") {
@@ -53,7 +53,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_plan(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<PlanOptions>();
   CLI::App* command = app.add_subcommand("plan", "Critical numbers, power and sample size of a protocol");
   command->add_option("PROTOCOL", options->protocol, "Protocol file")->required();
   command
@@ -84,7 +84,7 @@ void add_plan(CLI::App& app) {
       "  palpate plan protocols/kuroda2003.toml --overdispersion 0.1\n"
       "  palpate plan protocols/kuroda2003.toml --freeze study.db\n"
       "  palpate plan protocols/kuroda2003.toml --studies 100 --shard 1/4 --format json > part1.json\n");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_plan(*options); });
 }
 
 }  // namespace palpate::app

@@ -23,7 +23,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-struct Options {
+struct PressOptions {
   SceneOptions scene{};
   std::string depth;
   int steps = 10;
@@ -148,7 +148,7 @@ void plot(const sim::Model& model, const sim::Press& press, const std::string& f
   fmt::print(stderr, "wrote {}\n", file);
 }
 
-void run(const Options& options) {
+void run_press(const PressOptions& options) {
   if (!options.plot.empty()) check_plot_file(options.plot);
   sim::ComplianceCache cache = user_cache();
   const sim::Model model = sim::compile(load_scene(options.scene), cache);
@@ -167,7 +167,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_press(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<PressOptions>();
   CLI::App* command = app.add_subcommand("press", "Force over depth of a press into a scene (Fig. 8)");
   add_scene(*command, options->scene);
   command->add_option("--depth", options->depth,
@@ -182,7 +182,7 @@ void add_press(CLI::App& app) {
   command->footer(
       "Example:\n  palpate press data/scenes/rectal-palpation.toml --model kuroda --depth \"5 mm\" "
       "--set bodies.prostate.young_modulus=\"5 MPa\"");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_press(*options); });
 }
 
 }  // namespace palpate::app

@@ -17,7 +17,7 @@
 namespace palpate::app {
 namespace {
 
-struct Options {
+struct RenderOptions {
   SceneOptions scene{};
   std::filesystem::path out;
   std::string depth = "0 mm";
@@ -34,7 +34,7 @@ sim::Loads pressed(const sim::Model& model, sim::Pose pose) {
   return scratch.loads();
 }
 
-void run(const Options& options) {
+void run_render(const RenderOptions& options) {
   if (options.out.extension() != ".png")
     throw std::invalid_argument(
         fmt::format("--out {}: accepted: a file name that ends in .png", options.out.string()));
@@ -55,7 +55,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_render(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RenderOptions>();
   CLI::App* command = app.add_subcommand("render", "Picture of a scene, drawn off screen (Fig. 7)");
   add_scene(*command, options->scene);
   command->add_option("--out", options->out, "Picture to write, a PNG file")->required();
@@ -69,7 +69,7 @@ void add_render(CLI::App& app) {
       ->capture_default_str();
   command->footer(
       "Example:\n  palpate render data/scenes/rectal-palpation.toml --depth \"5 mm\" --out pressed.png");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_render(*options); });
 }
 
 }  // namespace palpate::app

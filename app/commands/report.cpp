@@ -16,7 +16,7 @@
 namespace palpate::app {
 namespace {
 
-struct Options {
+struct ReportOptions {
   std::string study, run_mode, out, format;
   bool interim = false;
 };
@@ -31,7 +31,7 @@ void log_interim_look(const std::filesystem::path& path, const analysis::StudyRe
                    .utc = trials::utc_now()});
 }
 
-void run(const Options& options) {
+void run_report(const ReportOptions& options) {
   analysis::ReportOptions asked{
       .interim = options.interim, .software_version = PALPATE_VERSION, .written_utc = trials::utc_now()};
   if (!options.run_mode.empty()) asked.run_mode = options.run_mode;
@@ -54,7 +54,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_report(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ReportOptions>();
   CLI::App* command = app.add_subcommand("report", "The significance report of a study");
   command->add_option("STUDY", options->study, "Study file")->required();
   command
@@ -70,7 +70,7 @@ void add_report(CLI::App& app) {
       "sample is complete the report counts answers and shows no test.\n\n"
       "Example:\n"
       "  palpate report study.db --out report.html\n");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_report(*options); });
 }
 
 }  // namespace palpate::app

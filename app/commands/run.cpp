@@ -15,13 +15,13 @@
 namespace palpate::app {
 namespace {
 
-struct Options {
+struct RunOptions {
   std::string protocol, study, examinee, device;
   bool pilot = false, practice = false, new_session = false, no_browser = false;
   std::uint16_t port = 0;
 };
 
-trials::SessionFacts facts_of(const Options& options) {
+trials::SessionFacts facts_of(const RunOptions& options) {
   return {.examinee = options.examinee,
           .run_mode = options.pilot      ? trials::RunMode::Pilot
                       : options.practice ? trials::RunMode::Practice
@@ -41,7 +41,7 @@ Organs prepare_organs(const trials::Protocol& protocol) {
 }
 
 /// Everything that can fail is tried before the study file is touched.
-void run(const Options& options) {
+void run_run(const RunOptions& options) {
   const trials::Protocol protocol = trials::load_protocol(options.protocol);
   const trials::SessionFacts facts = facts_of(options);
   trials::check_start(options.study, protocol, facts, options.new_session);
@@ -67,7 +67,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_run(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RunOptions>();
   CLI::App* command = app.add_subcommand("run", "Runs a session with a person, in the browser");
   command->add_option("protocol", options->protocol, "Protocol file (.toml)")->required();
   command->add_option("--study", options->study, "Study file; made if there is none")->required();
@@ -87,7 +87,7 @@ void add_run(CLI::App& app) {
       "Without a haptic device the mouse presses: the session is pseudo-haptic and is marked so.\n"
       "An unfinished session is taken up where it stopped.\n\n"
       "Example:\n  palpate run protocols/kuroda2003.toml --study s.db --examinee P01");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_run(*options); });
 }
 
 }  // namespace palpate::app

@@ -11,13 +11,13 @@
 namespace palpate::app {
 namespace {
 
-struct Options {
+struct SimulateOptions {
   std::string protocol, study, observer, format;
   int examinees = 0;
   trials::Seed seed{};
 };
 
-void run(const Options& options) {
+void run_simulate(const SimulateOptions& options) {
   const std::filesystem::path observer =
       options.observer.empty() ? default_observer() : std::filesystem::path(options.observer);
   const SimulationResult result =
@@ -41,7 +41,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_simulate(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SimulateOptions>();
   CLI::App* command = app.add_subcommand(
       "simulate", "Runs a study with simulated examinees, until the file holds as many as asked for");
   command->add_option("protocol", options->protocol, "Protocol (TOML)")->required();
@@ -57,7 +57,7 @@ void add_simulate(CLI::App& app) {
   command->footer(
       "Example:\n  palpate simulate protocols/kuroda2003.toml --study simulated.db --examinees 15 --seed 1\n"
       "Cut off by Ctrl-C or a power cut, the same command goes on with the first unanswered question.");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_simulate(*options); });
 }
 
 }  // namespace palpate::app

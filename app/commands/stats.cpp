@@ -49,7 +49,7 @@ void add_input(CLI::App& command, Asked& asked, const Input& input) {
   }
 }
 
-void run(const Procedure& procedure, const CLI::App& command, const Asked& asked) {
+void run_stats(const Procedure& procedure, const CLI::App& command, const Asked& asked) {
   nlohmann::json values = nlohmann::json::object();
   for (const auto& [name, text] : asked.texts) {
     if (command.count("--" + name) > 0) values[name] = text;
@@ -74,7 +74,7 @@ void add_procedure(CLI::App& stats, const Procedure& procedure) {
   }
   for (const Input& input : procedure.inputs) add_input(*command, *asked, input);
   add_format(*command, asked->format);
-  command->callback([&procedure, command, asked] { run(procedure, *command, *asked); });
+  command->callback([&procedure, command, asked] { run_stats(procedure, *command, *asked); });
 }
 
 void add_list(CLI::App& stats) {

@@ -13,11 +13,11 @@
 namespace palpate::app {
 namespace {
 
-struct Options {
+struct VerifyOptions {
   std::string study, receipt, format;
 };
 
-void print_text(const Options& options, const trials::VerifyReport& report) {
+void print_text(const VerifyOptions& options, const trials::VerifyReport& report) {
   fmt::print("{}: {} sittings, {} answers ({} voided), {} presentations\n", options.study, report.sessions,
              report.answers, report.voided, report.presentations);
   for (const trials::MergedPart& part : report.parts)
@@ -31,7 +31,7 @@ void print_text(const Options& options, const trials::VerifyReport& report) {
   fmt::print("receipt {}\n", trials::to_string(report.receipt));
 }
 
-void run(const Options& options) {
+void run_verify(const VerifyOptions& options) {
   const auto receipt =
       options.receipt.empty() ? std::nullopt : std::optional(trials::parse_receipt(options.receipt));
   const trials::VerifyReport report = trials::verify_study(options.study, receipt);
@@ -57,7 +57,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_verify(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<VerifyOptions>();
   CLI::App* command =
       app.add_subcommand("verify", "Checks that a study file is whole and was not tampered with");
   command->add_option("study", options->study, "Study file")->required();
@@ -67,7 +67,7 @@ void add_verify(CLI::App& app) {
   command->footer(
       "A file that palpate merge made holds its parts' chains as they were: their receipts hold as well.\n\n"
       "Example:\n  palpate verify study.db --receipt 120-9f86d0...\nExit code 1: something is wrong.");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_verify(*options); });
 }
 
 }  // namespace palpate::app

@@ -21,7 +21,7 @@ struct Piece {
 };
 
 /// The pieces of a body and what its file calls the nodes (empty: they are counted from 0).
-struct Body {
+struct SupportedBody {
   std::vector<Piece> pieces;
   std::span<const std::int64_t> tags;
 
@@ -42,7 +42,8 @@ std::vector<Piece> pieces_of(const NodeGraph& graph, std::span<const int> fixed)
   return pieces;
 }
 
-[[noreturn]] void refuse(const Body& body, const Piece& piece, int free_motions, const std::string& why) {
+[[noreturn]] void refuse(const SupportedBody& body, const Piece& piece, int free_motions,
+                         const std::string& why) {
   const std::string where =
       body.pieces.size() == 1
           ? ""
@@ -53,7 +54,7 @@ std::vector<Piece> pieces_of(const NodeGraph& graph, std::span<const int> fixed)
       free_motions, where, why, body.tags.empty() ? " (nodes are counted from 0)" : ""));
 }
 
-void require_enough_nodes(const Body& body) {
+void require_enough_nodes(const SupportedBody& body) {
   for (const Piece& piece : body.pieces) {
     const std::vector<int>& fixed = piece.fixed;
     if (static_cast<int>(fixed.size()) == piece.nodes) continue;
@@ -145,7 +146,7 @@ void require_supports(const TetMesh& mesh, std::span<const int> fixed) {
       for (const int b : corners)
         if (a != b) edges.emplace_back(a, b);
   const NodeGraph graph = make_graph(static_cast<int>(mesh.nodes.size()), edges);
-  const Body body{.pieces = pieces_of(graph, fixed), .tags = mesh.node_tags};
+  const SupportedBody body{.pieces = pieces_of(graph, fixed), .tags = mesh.node_tags};
   require_enough_nodes(body);
   for (const Piece& piece : body.pieces)
     if (static_cast<int>(piece.fixed.size()) < piece.nodes && on_one_line(mesh.nodes, piece.fixed))

@@ -10,14 +10,11 @@
 #include <system_error>
 #include <vector>
 
+#include "sim/io/file_error.hpp"
+
 namespace palpate::sim {
 namespace fs = std::filesystem;
 namespace {
-
-[[noreturn]] void refuse(int error, const char* action, const fs::path& file) {
-  throw std::system_error(error, std::generic_category(),
-                          fmt::format("{}: cannot {}", file.string(), action));
-}
 
 [[noreturn]] void refuse_taken(const fs::path& path) {
   throw std::invalid_argument(
@@ -29,9 +26,9 @@ fs::path made_aside(const fs::path& beside) {
     const fs::path aside = fmt::format("{}.new-{}-{}", beside.string(), ::getpid(), i);
     std::error_code error;
     if (fs::create_directory(aside, error)) return aside;
-    if (error && error != std::errc::file_exists) refuse(error.value(), "make a folder there", beside);
+    if (error && error != std::errc::file_exists) throw_cannot(error.value(), "make a folder there", beside);
   }
-  refuse(EEXIST, "make a folder there", beside);
+  throw_cannot(EEXIST, "make a folder there", beside);
 }
 
 /// The shortest part of `path` that does not exist.
@@ -44,27 +41,27 @@ fs::path first_missing(const fs::path& path) {
 
 void write_file(const fs::path& file, std::string_view bytes) {
   const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (descriptor < 0) refuse(errno, "create", file);
+  if (descriptor < 0) throw_cannot(errno, "create", file);
   while (!bytes.empty()) {
     const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) {
       const int why = errno;
       ::close(descriptor);
-      refuse(why, "write", file);
+      throw_cannot(why, "write", file);
     }
     bytes.remove_prefix(static_cast<std::size_t>(written));
   }
-  if (::close(descriptor) != 0) refuse(errno, "write", file);
+  if (::close(descriptor) != 0) throw_cannot(errno, "write", file);
 }
 
 /// One call for the whole file system: a flush for each of thousands of files takes minutes.
 void flush(const fs::path& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) refuse(errno, "open", folder);
+  if (descriptor < 0) throw_cannot(errno, "open", folder);
   const int failed = ::syncfs(descriptor) == 0 ? 0 : errno;
   ::close(descriptor);
-  if (failed != 0) refuse(failed, "write", folder);
+  if (failed != 0) throw_cannot(failed, "write", folder);
 }
 
 }  // namespace
@@ -76,7 +73,7 @@ void rename_new(const fs::path& from, const fs::path& to) {
   // Some file systems know no such rename; then the look and the rename are two steps.
   if (why == EINVAL && fs::exists(fs::symlink_status(to))) refuse_taken(to);
   if (why == EINVAL && ::rename(from.c_str(), to.c_str()) == 0) return;
-  refuse(why, "be made", to);
+  throw_cannot(why, "be made", to);
 }
 
 NewFolder::NewFolder(fs::path folder, Beside beside) : folder_(std::move(folder)) {
@@ -136,7 +133,7 @@ void NewFolder::finish() {
     // A folder takes the place of an empty folder, and of nothing else.
     if (::rename(aside_.c_str(), fs::canonical(folder_).c_str()) != 0) {
       if (errno == ENOTEMPTY || errno == EEXIST || errno == ENOTDIR) refuse_taken(folder_);
-      refuse(errno, "be made", folder_);
+      throw_cannot(errno, "be made", folder_);
     }
   } else {
     rename_new(aside_, top_);

@@ -15,7 +15,7 @@
 namespace palpate::sim {
 namespace {
 
-constexpr int kTetrahedron = 10;  // VTK's cell type
+constexpr int kVtkTetrahedron = 10;
 
 using Out = std::back_insert_iterator<fmt::memory_buffer>;
 
@@ -97,7 +97,7 @@ void write_cells(Out out, const TetMesh& mesh) {
     for (std::size_t t = 1; t <= mesh.tetrahedra.size(); ++t) fmt::format_to(out, "{}\n", 4 * t);
   });
   write_array(out, "UInt8", "types", 1, [&] {
-    for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) fmt::format_to(out, "{}\n", kTetrahedron);
+    for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) fmt::format_to(out, "{}\n", kVtkTetrahedron);
   });
   fmt::format_to(out, "</Cells>\n");
 }

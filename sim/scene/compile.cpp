@@ -12,15 +12,12 @@
 #include "sim/pairing/find_pairs.hpp"
 #include "sim/probe/footprint.hpp"
 #include "sim/scene/model.hpp"
+#include "sim/scene/refuse_key.hpp"
 
 namespace palpate::sim {
 namespace {
 
 constexpr int kMostTouchableNodes = 1000;  // a dense factor over all of them takes 72 MB
-
-[[noreturn]] void refuse(const std::string& key, const std::string& what) {
-  throw std::invalid_argument(fmt::format("{}: {}", key, what));
-}
 
 std::vector<std::string> group_names(const TetMesh& mesh) {
   std::vector<std::string> names;
@@ -33,8 +30,8 @@ std::vector<int> select(const TetMesh& mesh, const NodeSelection& selection, con
   if (const auto* group = std::get_if<std::string>(&selection)) {
     const auto found = mesh.node_groups.find(*group);
     if (found == mesh.node_groups.end())
-      refuse(key, fmt::format("the mesh has no group \"{}\"; it has: {}", *group,
-                              fmt::join(group_names(mesh), ", ")));
+      refuse_key(key, fmt::format("the mesh has no group \"{}\"; it has: {}", *group,
+                                  fmt::join(group_names(mesh), ", ")));
     nodes = found->second;
   } else if (const auto* box = std::get_if<Box>(&selection)) {
     for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
@@ -44,12 +41,12 @@ std::vector<int> select(const TetMesh& mesh, const NodeSelection& selection, con
   } else {
     for (const std::int64_t tag : std::get<std::vector<std::int64_t>>(selection)) {
       const auto found = std::ranges::find(mesh.node_tags, tag);
-      if (found == mesh.node_tags.end()) refuse(key, fmt::format("the mesh has no node number {}", tag));
+      if (found == mesh.node_tags.end()) refuse_key(key, fmt::format("the mesh has no node number {}", tag));
       nodes.push_back(static_cast<int>(found - mesh.node_tags.begin()));
     }
     std::ranges::sort(nodes);
   }
-  if (nodes.empty()) refuse(key, "selects no node of the mesh");
+  if (nodes.empty()) refuse_key(key, "selects no node of the mesh");
   return nodes;
 }
 
@@ -58,7 +55,7 @@ TetMesh read_placed(const BodySpec& spec) {
   try {
     validate(mesh);
   } catch (const std::invalid_argument& error) {
-    refuse(spec.mesh.string(), error.what());
+    refuse_key(spec.mesh.string(), error.what());
   }
   const double angle = spec.rotate.norm();
   const Eigen::Matrix3d turn = angle > 0.0 ? Eigen::AngleAxisd(angle, spec.rotate / angle).toRotationMatrix()
@@ -72,14 +69,15 @@ std::vector<Material> materials_of(const BodySpec& spec, const TetMesh& mesh) {
   for (const auto& [name, material] : spec.regions) {
     const auto found = std::ranges::find(mesh.region_names, name);
     if (found == mesh.region_names.end())
-      refuse(
+      refuse_key(
           fmt::format("bodies.{}.regions.{}", spec.name, name),
           fmt::format("the mesh has no such volume group; it has: {}", fmt::join(mesh.region_names, ", ")));
     const auto region = static_cast<int>(found - mesh.region_names.begin());
     if (std::ranges::find(mesh.region, region) == mesh.region.end())
-      refuse(fmt::format("bodies.{}.regions.{}", spec.name, name),
-             "no tetrahedron of the mesh belongs to it: one that lies in several volume groups belongs to "
-             "the smallest");
+      refuse_key(
+          fmt::format("bodies.{}.regions.{}", spec.name, name),
+          "no tetrahedron of the mesh belongs to it: one that lies in several volume groups belongs to "
+          "the smallest");
     materials[static_cast<std::size_t>(region) + 1] = material;
   }
   return materials;
@@ -107,10 +105,10 @@ std::vector<int> colliding_nodes(const BodySpec& spec, const TetMesh& mesh, cons
     const std::vector<int> named = select(mesh, *spec.touchable, key);
     wanted.clear();
     std::ranges::set_intersection(named, surface.nodes, std::back_inserter(wanted));
-    if (wanted.empty()) refuse(key, "selects no node of the surface");
+    if (wanted.empty()) refuse_key(key, "selects no node of the surface");
   }
   wanted = without(wanted, fixed);
-  if (wanted.empty()) refuse(fmt::format("bodies.{}.touchable", spec.name), "selects fixed nodes only");
+  if (wanted.empty()) refuse_key(fmt::format("bodies.{}.touchable", spec.name), "selects fixed nodes only");
   return wanted;
 }
 
@@ -135,9 +133,9 @@ void add_polygons(Body& body, const std::vector<int>& colliding) {
 
 void refuse_too_many(const BodySpec& spec, std::size_t touched) {
   if (touched > kMostTouchableNodes)
-    refuse(fmt::format("bodies.{}.touchable", spec.name),
-           fmt::format("{} nodes could be touched, accepted: at most {}; name a smaller group", touched,
-                       kMostTouchableNodes));
+    refuse_key(fmt::format("bodies.{}.touchable", spec.name),
+               fmt::format("{} nodes could be touched, accepted: at most {}; name a smaller group", touched,
+                           kMostTouchableNodes));
 }
 
 /// @param probes  of this body, their nodes as mesh nodes
@@ -167,7 +165,7 @@ Body compile_body(const BodySpec& spec, TetMesh placed, const std::vector<const 
     body.compliance =
         cache.get(*body.mesh, unit, body.fixed, touched, without(body.surface->nodes, body.fixed));
   } catch (const std::invalid_argument& error) {
-    refuse(fmt::format("bodies.{}", spec.name), error.what());
+    refuse_key(fmt::format("bodies.{}", spec.name), error.what());
   }
   add_polygons(body, colliding);
   return body;
@@ -217,9 +215,10 @@ void refuse_overlap(const Body& a, const Body& b) {
   const double size = (a.rest.rowwise().maxCoeff() - a.rest.rowwise().minCoeff()).norm();
   const double overlap = std::max(overlap_at_rest(a, b), overlap_at_rest(b, a));
   if (overlap > 1e-9 * size)
-    refuse("bodies",
-           fmt::format("{} and {} overlap at rest by {:.3g} mm; accepted: bodies that are apart (see offset)",
-                       a.name, b.name, 1e3 * overlap));
+    refuse_key(
+        "bodies",
+        fmt::format("{} and {} overlap at rest by {:.3g} mm; accepted: bodies that are apart (see offset)",
+                    a.name, b.name, 1e3 * overlap));
 }
 
 }  // namespace

@@ -6,19 +6,17 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "sim/scene/refuse_key.hpp"
+
 namespace palpate::sim {
 namespace {
 
-[[noreturn]] void refuse(const std::string& key, const std::string& what) {
-  throw std::invalid_argument(fmt::format("{}: {}", key, what));
-}
-
 void validate(const Material& material, const std::string& key) {
   if (!(material.young_modulus > 0.0) || !std::isfinite(material.young_modulus))
-    refuse(key + ".young_modulus", fmt::format("found {} Pa, accepted: > 0", material.young_modulus));
+    refuse_key(key + ".young_modulus", fmt::format("found {} Pa, accepted: > 0", material.young_modulus));
   if (!(material.poisson_ratio > -1.0 && material.poisson_ratio < 0.5))
-    refuse(key + ".poisson_ratio",
-           fmt::format("found {}, accepted: greater than -1 and less than 0.5", material.poisson_ratio));
+    refuse_key(key + ".poisson_ratio",
+               fmt::format("found {}, accepted: greater than -1 and less than 0.5", material.poisson_ratio));
 }
 
 void validate(const BodySpec& body) {
@@ -26,7 +24,7 @@ void validate(const BodySpec& body) {
   validate(body.material, key);
   for (const auto& [name, material] : body.regions) validate(material, key + ".regions." + name);
   if (!(body.scale > 0.0) || !std::isfinite(body.scale))
-    refuse(key + ".scale", fmt::format("found {}, accepted: > 0", body.scale));
+    refuse_key(key + ".scale", fmt::format("found {}, accepted: > 0", body.scale));
 }
 
 const BodySpec* find_body(const Scene& scene, const std::string& name) {
@@ -44,28 +42,30 @@ void validate_touch(const Scene& scene) {
   for (const auto& pair : scene.contact.touch) {
     for (const std::string& name : pair)
       if (!find_body(scene, name))
-        refuse("contact.touch",
-               fmt::format("\"{}\" is no body of this scene; accepted: {}", name, body_names(scene)));
+        refuse_key("contact.touch",
+                   fmt::format("\"{}\" is no body of this scene; accepted: {}", name, body_names(scene)));
     if (pair[0] == pair[1])
-      refuse("contact.touch", fmt::format("\"{}\" touches itself; accepted: two different bodies", pair[0]));
+      refuse_key("contact.touch",
+                 fmt::format("\"{}\" touches itself; accepted: two different bodies", pair[0]));
   }
 }
 
 }  // namespace
 
 void validate(const Scene& scene) {
-  if (scene.bodies.empty()) refuse("bodies", "no body; accepted: one table [bodies.NAME] a body");
-  if (scene.probes.empty()) refuse("probes", "no probe; accepted: one table [probes.NAME] a probe");
+  if (scene.bodies.empty()) refuse_key("bodies", "no body; accepted: one table [bodies.NAME] a body");
+  if (scene.probes.empty()) refuse_key("probes", "no probe; accepted: one table [probes.NAME] a probe");
   for (const BodySpec& body : scene.bodies) validate(body);
   validate_touch(scene);
   for (const ProbeSpec& probe : scene.probes) {
     const std::string key = "probes." + probe.name;
     const BodySpec* body = find_body(scene, probe.body);
     if (!body)
-      refuse(key + ".body",
-             fmt::format("\"{}\" is no body of this scene; accepted: {}", probe.body, body_names(scene)));
-    if (!body->present) refuse(key + ".body", fmt::format("\"{}\" is not present", probe.body));
-    if (!(probe.depth > 0.0)) refuse(key + ".depth", fmt::format("found {} m, accepted: > 0", probe.depth));
+      refuse_key(key + ".body",
+                 fmt::format("\"{}\" is no body of this scene; accepted: {}", probe.body, body_names(scene)));
+    if (!body->present) refuse_key(key + ".body", fmt::format("\"{}\" is not present", probe.body));
+    if (!(probe.depth > 0.0))
+      refuse_key(key + ".depth", fmt::format("found {} m, accepted: > 0", probe.depth));
   }
 }
 

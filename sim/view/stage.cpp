@@ -74,10 +74,10 @@ std::vector<Vec3> possible_shafts(const Probe& probe) {
   const Vec3 first = Vec3(-0.4, -0.8, 0.45).normalized();  // an end of a tube that a picture shows well
   const auto [right, up] = across(first);
   std::vector<Vec3> shafts = {-probe.direction};
-  constexpr int kAround = 800;
+  constexpr int kDirections = 800;
   const double golden_angle = std::numbers::pi * (3.0 - std::sqrt(5.0));
-  for (int i = 0; i < kAround; ++i) {
-    const double along = 1.0 - (2.0 * i + 1.0) / kAround, r = std::sqrt(1.0 - along * along);
+  for (int i = 0; i < kDirections; ++i) {
+    const double along = 1.0 - (2.0 * i + 1.0) / kDirections, r = std::sqrt(1.0 - along * along);
     shafts.push_back(r * std::cos(golden_angle * i) * right + r * std::sin(golden_angle * i) * up +
                      along * first);
   }

@@ -21,16 +21,16 @@ using nlohmann::ordered_json;
 using SittingKey = std::pair<std::string, std::int64_t>;  // examinee, number of the sitting
 
 ordered_json described(const Column& column) {
-  ordered_json json = {{"LongName", column.title}, {"Description", column.description}};
-  for (const Level& level : column.levels) json["Levels"][level.value] = level.meaning;
-  if (!column.unit.empty()) json["Units"] = column.unit;
-  if (column.least) json["Minimum"] = json_number(*column.least);
-  if (column.most) json["Maximum"] = json_number(*column.most);
-  return json;
+  ordered_json object = {{"LongName", column.title}, {"Description", column.description}};
+  for (const Level& level : column.levels) object["Levels"][level.value] = level.meaning;
+  if (!column.unit.empty()) object["Units"] = column.unit;
+  if (column.least) object["Minimum"] = json_number(*column.least);
+  if (column.most) object["Maximum"] = json_number(*column.most);
+  return object;
 }
 
-void add_columns(ordered_json& json, const std::vector<Column>& columns) {
-  for (const Column& column : columns) json[column.name] = described(column);
+void add_columns(ordered_json& object, const std::vector<Column>& columns) {
+  for (const Column& column : columns) object[column.name] = described(column);
 }
 
 /// The columns and values that BIDS names itself: response_time, sub-P01, ses-1.
@@ -67,7 +67,7 @@ std::map<SittingKey, Table> by_sitting(const Table& table) {
 
 ordered_json sidecar_of(const Protocol& protocol, const SessionRow& session) {
   const SessionFacts& facts = session.facts;
-  ordered_json json = {
+  ordered_json object = {
       {"TaskName", protocol.name},
       {"TaskDescription", describe_task(protocol)},
       {"Instructions", protocol.question},
@@ -83,8 +83,8 @@ ordered_json sidecar_of(const Protocol& protocol, const SessionRow& session) {
       {"Started", session.started_utc},
       {"TimesResumed", session.times_resumed},
       {"Finished", session.ended_utc.has_value()}};
-  if (!facts.channel.empty()) json["PseudoHapticChannel"] = facts.channel;
-  return json;
+  if (!facts.channel.empty()) object["PseudoHapticChannel"] = facts.channel;
+  return object;
 }
 
 /// Writes one data set into a folder, sitting by sitting.
@@ -114,7 +114,9 @@ class Writer {
   }
 
  private:
-  void add_json(const std::string& file, const ordered_json& json) { files_.add(file, json.dump(2) + "\n"); }
+  void add_json(const std::string& file, const ordered_json& object) {
+    files_.add(file, object.dump(2) + "\n");
+  }
 
   void add_sitting(const SessionRow& session) {
     constexpr std::array<const char*, 3> kAcquisition{"", "_acq-intervals", "_acq-exposures"};
@@ -127,9 +129,9 @@ class Writer {
       if (part == tables_[i].end()) continue;
       any = true;
       files_.add(stem + kAcquisition[i] + "_beh.tsv", to_tsv(part->second));
-      ordered_json json = sidecar_of(study_.protocol(), session);
-      add_columns(json, part->second.columns);
-      add_json(stem + kAcquisition[i] + "_beh.json", json);
+      ordered_json object = sidecar_of(study_.protocol(), session);
+      add_columns(object, part->second.columns);
+      add_json(stem + kAcquisition[i] + "_beh.json", object);
     }
     if (!any) return;
     sittings_[session.facts.examinee].push_back(session);
@@ -139,17 +141,17 @@ class Writer {
   void add_force(const std::string& stem, const SessionRow& session) {
     const auto frequency = write_physio(study_, session, files_.aside() / (stem + ".tsv.gz"));
     if (!frequency) return;
-    ordered_json json = {{"SamplingFrequency", *frequency},
-                         {"StartTime", 0},
-                         {"Columns", ordered_json::array()},
-                         {"RecordingDescription",
-                          "Presentations one after the other; between them nothing was recorded. time_s "
-                          "begins anew with each; "
-                          "trial, interval and counted = 1 lead to the row of the table acq-intervals."}};
-    for (const Column& column : physio_columns()) json["Columns"].push_back(column.name);
-    json.update(sidecar_of(study_.protocol(), session));
-    add_columns(json, physio_columns());
-    add_json(stem + ".json", json);
+    ordered_json object = {{"SamplingFrequency", *frequency},
+                           {"StartTime", 0},
+                           {"Columns", ordered_json::array()},
+                           {"RecordingDescription",
+                            "Presentations one after the other; between them nothing was recorded. time_s "
+                            "begins anew with each; "
+                            "trial, interval and counted = 1 lead to the row of the table acq-intervals."}};
+    for (const Column& column : physio_columns()) object["Columns"].push_back(column.name);
+    object.update(sidecar_of(study_.protocol(), session));
+    add_columns(object, physio_columns());
+    add_json(stem + ".json", object);
   }
 
   void add_participants() {
@@ -176,9 +178,9 @@ class Writer {
                             fmt::format("{}", fmt::join(modes, "+"))});
     }
     files_.add("participants.tsv", to_tsv(table));
-    ordered_json json;
-    add_columns(json, table.columns);
-    add_json("participants.json", json);
+    ordered_json object;
+    add_columns(object, table.columns);
+    add_json("participants.json", object);
   }
 
   void add_description() {

@@ -15,14 +15,6 @@
 namespace palpate::trials {
 namespace {
 
-Column whole(std::string name, std::string title, std::string description, double least) {
-  return {.name = std::move(name),
-          .title = std::move(title),
-          .description = std::move(description),
-          .kind = Kind::Whole,
-          .least = least};
-}
-
 Column sampled(std::string name, std::string title, std::string description, std::string unit) {
   return {.name = std::move(name),
           .title = std::move(title),
@@ -84,10 +76,10 @@ double frequency_of(std::vector<double> steps) {
 
 std::vector<Column> physio_columns() {
   std::vector<Column> columns{
-      whole("trial", "Trial", "Number of the question within the sitting", 1),
-      whole("interval", "Interval", "Number of the interval within the trial", 1),
-      whole("draw", "Draw", "How often the trial's order had been drawn again by then", 0),
-      whole("attempt", "Attempt", "Counts how often this interval of this draw was presented", 1),
+      whole_column("trial", "Trial", "Number of the question within the sitting", 1),
+      whole_column("interval", "Interval", "Number of the interval within the trial", 1),
+      whole_column("draw", "Draw", "How often the trial's order had been drawn again by then", 0),
+      whole_column("attempt", "Attempt", "Counts how often this interval of this draw was presented", 1),
       {.name = "counted",
        .title = "Counted",
        .description = "Whether an answer was given to this presentation",

@@ -51,16 +51,16 @@ ordered_json as_json(const Value& value) {
 }
 
 ordered_json as_json(const Column& column) {
-  ordered_json json = {{"title", column.title},
-                       {"description", column.description},
-                       {"kind", to_string(column.kind)},
-                       {"may_be_missing", column.may_be_missing}};
-  if (!column.unit.empty()) json["unit"] = column.unit;
-  if (column.least) json["minimum"] = json_number(*column.least);
-  if (column.most) json["maximum"] = json_number(*column.most);
-  if (!column.pattern.empty()) json["pattern"] = column.pattern;
-  for (const Level& level : column.levels) json["levels"][level.value] = level.meaning;
-  return json;
+  ordered_json object = {{"title", column.title},
+                         {"description", column.description},
+                         {"kind", to_string(column.kind)},
+                         {"may_be_missing", column.may_be_missing}};
+  if (!column.unit.empty()) object["unit"] = column.unit;
+  if (column.least) object["minimum"] = json_number(*column.least);
+  if (column.most) object["maximum"] = json_number(*column.most);
+  if (!column.pattern.empty()) object["pattern"] = column.pattern;
+  for (const Level& level : column.levels) object["levels"][level.value] = level.meaning;
+  return object;
 }
 
 /// Rows as objects; `columns` holds the descriptions alone, `codebook` all that is known of a column.
@@ -96,15 +96,15 @@ void export_csv(const StudyFile& study, const std::filesystem::path& folder) {
 
 void export_json(const StudyFile& study, const std::filesystem::path& folder) {
   const StudyRow row = study.study();
-  ordered_json json = {{"study", row.uuid},
-                       {"created_utc", row.created_utc},
-                       {"protocol", row.protocol_name},
-                       {"protocol_sha256", row.protocol_sha256},
-                       {"software_version", row.software_version},
-                       {"description", describe_dataset(study)}};
-  for (const Table& table : checked_tables(study)) json[table.name] = as_json(table);
+  ordered_json object = {{"study", row.uuid},
+                         {"created_utc", row.created_utc},
+                         {"protocol", row.protocol_name},
+                         {"protocol_sha256", row.protocol_sha256},
+                         {"software_version", row.software_version},
+                         {"description", describe_dataset(study)}};
+  for (const Table& table : checked_tables(study)) object[table.name] = as_json(table);
   sim::NewFolder files(folder, Beside::Others);
-  files.add("study.json", json.dump(1) + "\n");
+  files.add("study.json", object.dump(1) + "\n");
   files.finish();
 }
 

@@ -17,20 +17,20 @@ namespace {
 using nlohmann::ordered_json;
 
 ordered_json property_value(const Column& column) {
-  ordered_json json = {
+  ordered_json object = {
       {"@type", "PropertyValue"}, {"name", column.name}, {"description", column.description}};
   if (!column.levels.empty()) {
     std::string levels;
     for (const Level& level : column.levels)
       levels += fmt::format("{} {}: {}", levels.empty() ? "" : ";", level.value, level.meaning);
-    if (column.kind == Kind::Text) json["description"] = column.description + "." + levels;
+    if (column.kind == Kind::Text) object["description"] = column.description + "." + levels;
   }
-  if (!column.unit.empty()) json["unitText"] = column.unit;
-  if (column.least) json["minValue"] = json_number(*column.least);
-  if (column.most) json["maxValue"] = json_number(*column.most);
+  if (!column.unit.empty()) object["unitText"] = column.unit;
+  if (column.least) object["minValue"] = json_number(*column.least);
+  if (column.most) object["maxValue"] = json_number(*column.most);
   if (const std::string pattern = pattern_of(column); !pattern.empty())
-    json["valuePattern"] = fmt::format("^({})$", pattern);
-  return json;
+    object["valuePattern"] = fmt::format("^({})$", pattern);
+  return object;
 }
 
 ordered_json description(const StudyFile& study, const ExportFacts& facts, const std::vector<Table>& tables) {
@@ -40,20 +40,20 @@ ordered_json description(const StudyFile& study, const ExportFacts& facts, const
   for (const Table& table : tables)
     for (const Column& column : table.columns)
       if (described.insert(column.name).second) variables.push_back(property_value(column));
-  ordered_json json = {{"@context", "https://schema.org"},
-                       {"@type", "Dataset"},
-                       {"name", "palpate study " + row.protocol_name},
-                       {"description", describe_dataset(study)},
-                       {"schemaVersion", "Psych-DS 1.5.0"},
-                       {"identifier", row.uuid},
-                       {"dateCreated", facts.exported_utc},
-                       {"keywords", {"haptics", "psychophysics", "forced choice", row.protocol_name}},
-                       {"measurementTechnique", describe_task(study.protocol())}};
+  ordered_json object = {{"@context", "https://schema.org"},
+                         {"@type", "Dataset"},
+                         {"name", "palpate study " + row.protocol_name},
+                         {"description", describe_dataset(study)},
+                         {"schemaVersion", "Psych-DS 1.5.0"},
+                         {"identifier", row.uuid},
+                         {"dateCreated", facts.exported_utc},
+                         {"keywords", {"haptics", "psychophysics", "forced choice", row.protocol_name}},
+                         {"measurementTechnique", describe_task(study.protocol())}};
   ordered_json authors = ordered_json::array();
   for (const std::string& author : facts.authors) authors.push_back({{"@type", "Person"}, {"name", author}});
-  if (!authors.empty()) json["author"] = authors;
-  json["variableMeasured"] = variables;
-  return json;
+  if (!authors.empty()) object["author"] = authors;
+  object["variableMeasured"] = variables;
+  return object;
 }
 
 std::string readme(const StudyFile& study, const std::vector<Table>& tables, const std::string& study_label) {

@@ -14,7 +14,7 @@ TEST_P(LinkAt, HasTheDerivativesOfItsLogarithm) {
   const auto [link, eta] = GetParam();
   const double h = 1e-4 * std::max(1.0, std::abs(eta));
   const auto at = [link = link](double x) { return likelihood(link, x, 2, 5); };
-  const Likelihood here = at(eta), up = at(eta + h), down = at(eta - h);
+  const BinaryLikelihood here = at(eta), up = at(eta + h), down = at(eta - h);
   // The error of a central difference is h^2/6 times a third derivative of order 1 (or less).
   EXPECT_NEAR((up.log - down.log) / (2 * h), here.score, 1e-7 * std::max(1.0, std::abs(here.score)));
   EXPECT_NEAR((down.score - up.score) / (2 * h), here.curvature, 1e-7);
