@@ -1,3 +1,4 @@
+#include <fmt/core.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
@@ -5,6 +6,9 @@
 #include <cstdio>
 #include <exception>
 #include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "app/commands/commands.hpp"
 
@@ -17,6 +21,35 @@ int report(const char* message, ExitCode code) {
   return code;
 }
 
+constexpr const char* kGuide =
+    "Begin with:\n"
+    "  palpate demo                                     a whole study with simulated examinees\n"
+    "  palpate press data/scenes/rectal-palpation.toml  how the force grows with depth\n"
+    "  palpate check protocols/kuroda2003.toml          what a study amounts to\n\n"
+    "palpate COMMAND --help shows a command's options, with an example.";
+
+/// Headings of the list of commands.
+void put_in_groups(CLI::App& app) {
+  const std::pair<const char*, std::vector<const char*>> groups[] = {
+      {"Begin", {"demo"}},
+      {"Touch", {"press", "render", "cost", "mesh"}},
+      {"Run a study", {"check", "plan", "run", "simulate"}},
+      {"Read a study", {"report", "export", "verify", "merge"}},
+      {"Statistics", {"stats"}}};
+  for (const auto& [heading, commands] : groups)
+    for (const char* command : commands) app.get_subcommand(command)->group(heading);
+}
+
+/// What is wrong with the arguments, and where help is.
+std::string usage_error(const CLI::App* app, const CLI::Error& error) {
+  std::string command = app->get_name();
+  for (const CLI::App* at = app; !at->get_subcommands().empty();) {
+    at = at->get_subcommands().front();
+    command += " " + at->get_name();
+  }
+  return fmt::format("Error: {}\n`{} --help` shows what is accepted.\n", error.what(), command);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -27,20 +60,23 @@ int main(int argc, char** argv) {
                "palpate");
   app.set_version_flag("--version", PALPATE_VERSION);
   app.require_subcommand(0, 1);
-  palpate::app::add_check(app);
-  palpate::app::add_cost(app);
+  app.failure_message(usage_error);
+  app.footer(kGuide);
   palpate::app::add_demo(app);
-  palpate::app::add_export(app);
-  palpate::app::add_merge(app);
-  palpate::app::add_mesh(app);
-  palpate::app::add_plan(app);
   palpate::app::add_press(app);
   palpate::app::add_render(app);
-  palpate::app::add_report(app);
+  palpate::app::add_cost(app);
+  palpate::app::add_mesh(app);
+  palpate::app::add_check(app);
+  palpate::app::add_plan(app);
   palpate::app::add_run(app);
   palpate::app::add_simulate(app);
-  palpate::app::add_stats(app);
+  palpate::app::add_report(app);
+  palpate::app::add_export(app);
   palpate::app::add_verify(app);
+  palpate::app::add_merge(app);
+  palpate::app::add_stats(app);
+  put_in_groups(app);
 
   try {
     app.parse(argc, argv);

@@ -5,14 +5,15 @@
 #include <unistd.h>
 
 #include <array>
-#include <cstdlib>
+
+#include "sim/io/environment.hpp"
 
 extern char** environ;
 
 namespace palpate::app {
 
 bool open_browser(const std::string& link) {
-  if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return false;
+  if (!sim::environment("DISPLAY") && !sim::environment("WAYLAND_DISPLAY")) return false;
   posix_spawn_file_actions_t actions;
   if (::posix_spawn_file_actions_init(&actions) != 0) return false;
   // What the browser has to say is not for the technician's terminal.

@@ -116,7 +116,7 @@ std::string run_gnuplot(const std::string& commands) {
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
-  const std::string picture = contents(out.get());
+  std::string picture = contents(out.get());
   if (status != 0 || picture.empty())
     throw std::runtime_error(fmt::format("gnuplot fails: {}", contents(errors.get())));
   return picture;

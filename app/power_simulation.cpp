@@ -36,6 +36,7 @@ Rejected test(const analysis::StudyDesign& design,
   Rejected rejected;
   for (const auto& cell : counts) {
     std::vector<analysis::OrderStratum> sittings;
+    sittings.reserve(cell.size());
     for (const trials::SittingCount& c : cell)
       sittings.push_back({c.trials, c.correct_first, c.answers_first, c.correct});
     rejected.push_back(std::ranges::any_of(looks, [&](int look) {

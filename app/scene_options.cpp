@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+#include "sim/scene/quantity.hpp"
+
 namespace palpate::app {
 
 void add_scene(CLI::App& command, SceneOptions& options) {
@@ -27,6 +29,17 @@ sim::Scene load_scene(const SceneOptions& options) {
   }
   if (!options.model.empty()) overrides.push_back({"contact.model", options.model});
   return sim::load_scene(options.file, overrides);
+}
+
+double parse_depth(const std::string& depth) {
+  double metres = 0.0;
+  try {
+    metres = sim::parse_quantity(depth, sim::Dimension::Length);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("--depth: {}", error.what()));
+  }
+  if (metres < 0.0) throw std::invalid_argument(fmt::format("--depth {}: accepted: 0 or more", depth));
+  return metres;
 }
 
 }  // namespace palpate::app

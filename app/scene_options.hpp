@@ -20,4 +20,7 @@ void add_scene(CLI::App& command, SceneOptions& options);
 /// The scene with its replacements. Throws std::invalid_argument.
 sim::Scene load_scene(const SceneOptions& options);
 
+/// What --depth asks for [m], not below 0. Throws std::invalid_argument.
+double parse_depth(const std::string& depth);
+
 }  // namespace palpate::app

@@ -2,19 +2,18 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
-
 #include "app/commands/commands.hpp"
 #include "app/interrupt.hpp"
 #include "app/machine.hpp"
 #include "app/progress.hpp"
 #include "app/user_cache.hpp"
+#include "sim/io/environment.hpp"
 
 namespace palpate::app {
 
 std::filesystem::path default_observer() {
-  const char* data = std::getenv("PALPATE_DATA");  // NOLINT(concurrency-mt-unsafe): nothing here sets it
-  return std::filesystem::path(data ? data : PALPATE_SOURCE_DIR) / "protocols/observers/default.toml";
+  return std::filesystem::path(sim::environment("PALPATE_DATA").value_or(PALPATE_SOURCE_DIR)) /
+         "protocols/observers/default.toml";
 }
 
 SimulationResult run_simulation(const std::filesystem::path& protocol_file,

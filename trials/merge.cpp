@@ -167,6 +167,7 @@ void merge_studies(const std::filesystem::path& out, const std::vector<MergeSour
         out.string());
   check_writable(out);
   std::vector<Source> sources;
+  sources.reserve(asked.size());
   for (const MergeSource& source : asked) sources.push_back(open_source(source));
   check_sources(sources);
   StudyRow study = sources.front().study();

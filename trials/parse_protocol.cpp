@@ -27,7 +27,7 @@ TomlReader section(TomlReader& reader, std::string_view key, std::string_view ac
 /// One word of `accepted`; words of `later` are known to the design but not to this version.
 std::string word(TomlReader& reader, std::string_view key, Words accepted, Words later = {}) {
   reader.required(key, fmt::format("accepted: {}", fmt::join(accepted, ", ")));
-  const std::string found = *reader.text(key);
+  std::string found = *reader.text(key);
   if (std::ranges::find(accepted, found) != accepted.end()) return found;
   const bool known = std::ranges::find(later, found) != later.end();
   reader.refuse(key, fmt::format("found \"{}\"{}, accepted: {}", found,

@@ -39,6 +39,7 @@ std::vector<SimulatedTrial> play_all(const Protocol& protocol, const Stimuli& st
   Generator generator = make_generator(seed_of_person, person_purpose(sitting.facts.examinee));
   const Observer observer = draw_observer(parameters, generator);
   std::vector<SimulatedTrial> played;
+  played.reserve(pending.size());
   for (const DrawnTrial& drawn : pending) played.push_back(play(protocol, stimuli, observer, sitting, drawn));
   return played;
 }
@@ -163,6 +164,7 @@ void check_simulation(const std::filesystem::path& path, const Protocol& protoco
   const std::vector<SessionRow> sessions = read_study(path).sessions();
   check_same_population(sessions, plan);
   std::vector<std::string> known;
+  known.reserve(sessions.size());
   for (const SessionRow& session : sessions) known.push_back(session.facts.examinee);
   for (int number = 1; number <= plan.examinees; ++number) check_not_near(simulated_code(number), known);
 }

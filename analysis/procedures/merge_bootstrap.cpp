@@ -43,6 +43,7 @@ const ordered_json& shard_part(const ordered_json& shard) {
 Outcome merge_bootstrap(const std::vector<ordered_json>& shards) {
   if (shards.empty()) throw std::invalid_argument("no shards to merge");
   std::vector<const ordered_json*> parts;
+  parts.reserve(shards.size());
   for (const ordered_json& shard : shards) parts.push_back(&shard_part(shard));
   std::sort(parts.begin(), parts.end(), [](const ordered_json* a, const ordered_json* b) {
     return a->at("first").get<long>() < b->at("first").get<long>();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlopt.hpp>
 
+#include "analysis/infinity.hpp"
 #include "analysis/psychometric/posterior.hpp"
 
 namespace palpate::analysis {
@@ -16,6 +17,7 @@ using Axes = std::array<std::vector<double>, kParameters>;
 
 std::vector<double> spread(double from, double to, int steps) {
   std::vector<double> axis;
+  axis.reserve(static_cast<std::size_t>(steps));
   for (int i = 0; i < steps; ++i) axis.push_back(steps == 1 ? from : from + (to - from) * i / (steps - 1));
   return axis;
 }
@@ -60,7 +62,7 @@ void over_cells(const BayesProblem& problem, const Axes& axes, const Visit& visi
 Grid filled(const BayesProblem& problem, Axes axes) {
   Grid grid{.axes = std::move(axes)};
   std::vector<double> values;
-  double greatest = -INFINITY;
+  double greatest = -kInfinity;
   over_cells(problem, grid.axes, [&](const auto&, const BayesPoint& at, double value) {
     values.push_back(value);
     if (value > greatest) {

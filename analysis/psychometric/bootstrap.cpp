@@ -34,8 +34,9 @@ class Stream {
 // P(X <= 0), ..., P(X <= n - 1) of a binomial number.
 std::vector<double> cumulative(double trials, double p) {
   const boost::math::binomial_distribution<> distribution(trials, std::clamp(p, 0.0, 1.0));
-  std::vector<double> below;
-  for (double k = 0; k < trials; ++k) below.push_back(cdf(distribution, k));
+  const auto most = static_cast<std::size_t>(trials);
+  std::vector<double> below(most);
+  for (std::size_t k = 0; k < most; ++k) below[k] = cdf(distribution, static_cast<double>(k));
   return below;
 }
 

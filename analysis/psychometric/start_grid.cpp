@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace palpate::analysis {
@@ -20,11 +19,15 @@ double floored_log(double p) {
 StartGrid::StartGrid(const Design& design) : trials_(design.trials) {
   const PsychometricModel& model = design.model;
   const double stride = std::clamp(0.5 * design.least_gap, 0.06, 0.2);
-  for (double middle = -1.6; middle < 1.6 + 0.5 * stride; middle += stride) middles_.push_back(middle);
+  const auto middles = static_cast<std::size_t>(std::ceil(3.2 / stride + 0.5));  // from -1.6 to 1.6
+  middles_.reserve(middles);
+  for (std::size_t i = 0; i < middles; ++i) middles_.push_back(-1.6 + static_cast<double>(i) * stride);
   const double steepest = std::max(8.0, std::min(6 / design.least_gap, 100.0));
-  for (double rise = 0.6; rise < 2 * steepest; rise *= 1.6) {
+  double rise = 0.6;
+  while (rise < 2 * steepest) {
     rises_.push_back(rise);
     if (rise > 2.5 / design.least_gap) ++steep_rises_;
+    rise *= 1.6;
   }
   steep_rises_ = std::max(steep_rises_, std::size_t{1});
   lapses_ = {model.lapse_lower};

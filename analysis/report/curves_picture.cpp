@@ -93,15 +93,17 @@ std::string curves_picture(const StudyReport& report) {
   const Extent extent = extent_of(report.curves);
   if (!(extent.depth_mm > 0)) return "";
   const std::size_t panels = report.design.cells.size(), across = std::min<std::size_t>(panels, 2);
-  const double rows = static_cast<double>((panels + across - 1) / across);
+  const std::size_t rows = (panels + across - 1) / across;
   std::string marks = legend(styles_of(report));
   for (std::size_t cell = 0; cell < panels; ++cell) {
-    marks += panel(report, cell, extent, kLeft + (kPanel + kGap) * static_cast<double>(cell % across),
-                   kTop + (kHeight + 86) * static_cast<double>(cell / across));
+    const std::size_t row = cell / across, column = cell % across;
+    marks += panel(report, cell, extent, kLeft + (kPanel + kGap) * static_cast<double>(column),
+                   kTop + (kHeight + 86) * static_cast<double>(row));
   }
   const double width = kLeft + static_cast<double>(across) * (kPanel + kGap) - kGap + 14;
   return picture(
-      "curves", std::max(width, 520.0), kTop + rows * (kHeight + 86) - 30, "Mean force over depth",
+      "curves", std::max(width, 520.0), kTop + static_cast<double>(rows) * (kHeight + 86) - 30,
+      "Mean force over depth",
       "One panel for each cell, one line for each condition; the data stand in a table at the end.", marks);
 }
 

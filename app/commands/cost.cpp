@@ -15,7 +15,6 @@
 #include "app/scene_options.hpp"
 #include "app/user_cache.hpp"
 #include "sim/cost/cycle_cost.hpp"
-#include "sim/scene/quantity.hpp"
 
 namespace palpate::app {
 namespace {
@@ -69,9 +68,8 @@ SceneCost measure(const CostOptions& options, const std::string& file, sim::Comp
     cost.nodes += static_cast<int>(body.mesh->nodes.size());
     cost.touchable += static_cast<int>(body.rest.cols());
   }
-  sim::CostOptions how{.depth = options.depth.empty()
-                                    ? model.probes.front().depth
-                                    : sim::parse_quantity(options.depth, sim::Dimension::Length)};
+  sim::CostOptions how{.depth =
+                           options.depth.empty() ? model.probes.front().depth : parse_depth(options.depth)};
   if (!(how.depth > 0.0))
     throw std::invalid_argument(fmt::format("--depth {}: accepted: > 0", options.depth));
   std::vector<sim::ContactModel> laws = {sim::ContactModel::None, sim::ContactModel::Sibille,

@@ -16,7 +16,6 @@
 #include "sim/elasticity/static_solve.hpp"
 #include "sim/elasticity/stress.hpp"
 #include "sim/mesh/write_vtu.hpp"
-#include "sim/scene/quantity.hpp"
 
 namespace palpate::app {
 namespace {
@@ -152,8 +151,7 @@ void run_press(const PressOptions& options) {
   if (!options.plot.empty()) check_plot_file(options.plot);
   sim::ComplianceCache cache = user_cache();
   const sim::Model model = sim::compile(load_scene(options.scene), cache);
-  const double depth = options.depth.empty() ? model.probes.front().depth
-                                             : sim::parse_quantity(options.depth, sim::Dimension::Length);
+  const double depth = options.depth.empty() ? model.probes.front().depth : parse_depth(options.depth);
   if (!(depth > 0.0)) throw std::invalid_argument(fmt::format("--depth {}: accepted: > 0", options.depth));
   const sim::Press press = sim::press(model, depth, options.steps);
   if (options.format == "json")

@@ -10,7 +10,6 @@
 #include "app/user_cache.hpp"
 #include "sim/cycle/press.hpp"
 #include "sim/io/atomic_file.hpp"
-#include "sim/scene/quantity.hpp"
 #include "sim/view/picture_of.hpp"
 #include "sim/view/renderer.hpp"
 
@@ -38,8 +37,7 @@ void run_render(const RenderOptions& options) {
   if (options.out.extension() != ".png")
     throw std::invalid_argument(
         fmt::format("--out {}: accepted: a file name that ends in .png", options.out.string()));
-  const double depth = sim::parse_quantity(options.depth, sim::Dimension::Length);
-  if (!(depth >= 0.0)) throw std::invalid_argument(fmt::format("--depth {}: accepted: >= 0", options.depth));
+  const double depth = parse_depth(options.depth);
   sim::ComplianceCache cache = user_cache();
   const sim::Model model = sim::compile(load_scene(options.scene), cache);
   const std::vector<sim::ProbePose> pose = sim::pose_at_depth(model, depth);

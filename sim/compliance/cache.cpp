@@ -2,34 +2,25 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <optional>
 #include <system_error>
 #include <utility>
 
 #include "sim/compliance/cache_file.hpp"
 #include "sim/elasticity/supports.hpp"
+#include "sim/io/environment.hpp"
 
 namespace palpate::sim {
-namespace {
-
-std::optional<std::filesystem::path> folder_from(const char* variable) {
-  const char* value = std::getenv(variable);  // NOLINT(concurrency-mt-unsafe): nobody sets it while we run
-  if (value == nullptr || *value == '\0') return std::nullopt;
-  return value;
-}
-
-}  // namespace
 
 ComplianceCache::ComplianceCache(std::filesystem::path folder,
                                  std::function<void(const std::string&)> trouble)
     : folder_(std::move(folder)), tell_trouble_(std::move(trouble)) {}
 
 std::filesystem::path ComplianceCache::default_folder() {
-  if (const auto own = folder_from("PALPATE_CACHE")) return *own;
-  const auto shared = folder_from("XDG_CACHE_HOME");
-  if (shared && shared->is_absolute()) return *shared / "palpate";  // the XDG rule: ignore relative ones
-  if (const auto home = folder_from("HOME")) return *home / ".cache" / "palpate";
+  if (const auto own = environment("PALPATE_CACHE")) return *own;
+  const std::filesystem::path shared = environment("XDG_CACHE_HOME").value_or("");
+  if (shared.is_absolute()) return shared / "palpate";  // the XDG rule: ignore relative ones
+  if (const auto home = environment("HOME")) return std::filesystem::path(*home) / ".cache" / "palpate";
   return {};
 }
 

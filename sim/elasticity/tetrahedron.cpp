@@ -36,7 +36,8 @@ Lame lame(const Material& material) {
 const Material& material_of(const TetMesh& mesh, std::span<const Material> materials,
                             std::size_t tetrahedron) {
   assert(mesh.region.size() == mesh.tetrahedra.size());
-  return materials[static_cast<std::size_t>(1 + mesh.region[tetrahedron])];
+  const int of_region = 1 + mesh.region[tetrahedron];
+  return materials[static_cast<std::size_t>(of_region)];
 }
 
 void validate(const TetMesh& mesh, std::span<const Material> materials) {

@@ -23,7 +23,7 @@ namespace {
 
 fs::path made_aside(const fs::path& beside) {
   for (int i = 0; i < 1000; ++i) {
-    const fs::path aside = fmt::format("{}.new-{}-{}", beside.string(), ::getpid(), i);
+    fs::path aside = fmt::format("{}.new-{}-{}", beside.string(), ::getpid(), i);
     std::error_code error;
     if (fs::create_directory(aside, error)) return aside;
     if (error && error != std::errc::file_exists) throw_cannot(error.value(), "make a folder there", beside);
@@ -100,7 +100,7 @@ NewFolder::~NewFolder() {
 }
 
 fs::path NewFolder::place(const fs::path& relative) const {
-  const fs::path file = files_ / relative;
+  fs::path file = files_ / relative;
   fs::create_directories(file.parent_path());
   return file;
 }

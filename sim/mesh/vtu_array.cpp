@@ -91,7 +91,7 @@ std::vector<Out> convert(const VtuFile& file, const std::string& bytes) {
     if constexpr (std::is_same_v<Stored, std::uint64_t>)
       if (value > static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max()))
         throw std::invalid_argument(fmt::format("found {}; numbers up to 2^63 - 1 are accepted", value));
-    out[i] = static_cast<Out>(value);
+    out[i] = static_cast<Out>(value);  // NOLINT(bugprone-signed-char-misuse): Int8 is a number, no character
   }
   return out;
 }

@@ -22,7 +22,8 @@ void validate(const Material& material, const std::string& key) {
 void validate(const BodySpec& body) {
   const std::string key = "bodies." + body.name;
   validate(body.material, key);
-  for (const auto& [name, material] : body.regions) validate(material, key + ".regions." + name);
+  for (const auto& [name, material] : body.regions)
+    validate(material, fmt::format("{}.regions.{}", key, name));
   if (!(body.scale > 0.0) || !std::isfinite(body.scale))
     refuse_key(key + ".scale", fmt::format("found {}, accepted: > 0", body.scale));
 }

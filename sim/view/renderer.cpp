@@ -93,7 +93,7 @@ Renderer::Renderer(int width, int height) {
   if (width < 16 || height < 16 || width > 8192 || height > 8192)
     throw std::invalid_argument(
         fmt::format("a picture of {} x {} pixels: each side must be 16 to 8192", width, height));
-  context_ = std::make_unique<Context>(width, height);
+  context_.reset(new Context{.width = width, .height = height});
   context_->program = make_program();
   context_->drawn = make_target(width, height, kSamples);
   context_->resolved = make_target(width, height, 0);

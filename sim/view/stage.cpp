@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "sim/view/picture_of.hpp"
@@ -9,8 +10,10 @@
 namespace palpate::sim {
 namespace {
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
 struct Bounds {
-  Vec3 lower = Vec3::Constant(INFINITY), upper = Vec3::Constant(-INFINITY);  // [m]
+  Vec3 lower = Vec3::Constant(kInfinity), upper = Vec3::Constant(-kInfinity);  // [m]
   void add(const Vec3& p) {
     lower = lower.cwiseMin(p);
     upper = upper.cwiseMax(p);
@@ -30,18 +33,18 @@ Bounds bounds_of(const Model& model) {
 double distance_to_triangle(const Vec3& p, const Vec3& along, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 ab = b - a, ac = c - a, across = along.cross(ac);
   const double determinant = ab.dot(across);
-  if (determinant == 0.0) return INFINITY;
+  if (determinant == 0.0) return kInfinity;
   const Vec3 from_a = p - a;
   const double u = from_a.dot(across) / determinant;
   const Vec3 other = from_a.cross(ab);
   const double v = along.dot(other) / determinant;
   const double distance = ac.dot(other) / determinant;
-  return u >= 0 && v >= 0 && u + v <= 1 && distance > 0 ? distance : INFINITY;
+  return u >= 0 && v >= 0 && u + v <= 1 && distance > 0 ? distance : kInfinity;
 }
 
 /// How far a point can go from p before it meets a body at rest [m].
 double room(const Model& model, const Vec3& p, const Vec3& along) {
-  double nearest = INFINITY;
+  double nearest = kInfinity;
   for (const Body& body : model.bodies) {
     const auto at = [&](int node) -> const Vec3& { return body.mesh->nodes[static_cast<std::size_t>(node)]; };
     for (const Triangle& t : body.surface->triangles)
@@ -119,7 +122,7 @@ ProbeShape shape_of(const Model& model, const Probe& probe, const Bounds& bounds
                           0.45 * behind);
   const Vec3 end = probe.at - (shape.radius + skin) * probe.direction;
   const double free = choose_shaft(model, probe, end, diagonal, shape);
-  double leaves_bounds = INFINITY;
+  double leaves_bounds = kInfinity;
   for (int k = 0; k < 3; ++k) {
     const double face = shape.shaft[k] > 0 ? bounds.upper[k] : bounds.lower[k];
     if (shape.shaft[k] != 0.0) leaves_bounds = std::min(leaves_bounds, (face - end[k]) / shape.shaft[k]);
@@ -155,7 +158,7 @@ Camera framed(const std::vector<Vec3>& points, const Vec3& from, double aspect) 
   // A point is inside when |x - target.x| <= half_wide (distance - z) and likewise for y: the tightest of the
   // left and right (lower and upper) ones give the target and the distance of each axis.
   const auto fit = [&](const Vec3& axis, double half) {
-    double plus = -INFINITY, minus = -INFINITY;
+    double plus = -kInfinity, minus = -kInfinity;
     for (const Vec3& p : points) {
       plus = std::max(plus, axis.dot(p) + half * back.dot(p));
       minus = std::max(minus, -axis.dot(p) + half * back.dot(p));

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "tests/end_to_end/program.hpp"
-#include "tests/trials/support/folder.hpp"
+#include "tests/trials/support/files.hpp"
 
 namespace palpate {
 namespace {
@@ -19,8 +19,8 @@ using test::Outcome;
 using test::run;
 using testing::HasSubstr;
 using testing::IsEmpty;
-using trials::test::Folder;
 using trials::test::read;
+using trials::test::TemporaryFolder;
 using trials::test::write;
 
 bool succeeds(const std::string& command) {
@@ -81,7 +81,7 @@ class Export : public testing::Test {
     EXPECT_GT(told.at("mean").get<double>(), 0.0);
   }
 
-  Folder folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(Export, EveryFormatAppears) {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/end_to_end/program.hpp"
-#include "tests/trials/support/folder.hpp"
+#include "tests/trials/support/files.hpp"
 
 namespace palpate {
 namespace {
@@ -14,8 +14,8 @@ using nlohmann::json;
 using test::Outcome;
 using test::run;
 using testing::HasSubstr;
-using trials::test::Folder;
 using trials::test::read;
+using trials::test::TemporaryFolder;
 
 class Merge : public testing::Test {
  protected:
@@ -37,7 +37,7 @@ class Merge : public testing::Test {
         "--format", "json"};
   }
 
-  Folder folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(Merge, JoinsTwoSites) {

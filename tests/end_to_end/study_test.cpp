@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "tests/end_to_end/program.hpp"
-#include "tests/trials/support/folder.hpp"
+#include "tests/trials/support/files.hpp"
 #include "tests/trials/support/raw_sql.hpp"
 
 namespace palpate {
@@ -22,8 +22,8 @@ using test::Outcome;
 using test::run;
 using testing::HasSubstr;
 using testing::StartsWith;
-using trials::test::Folder;
 using trials::test::read;
+using trials::test::TemporaryFolder;
 using trials::test::write;
 
 const std::string kProtocol = std::string(PALPATE_SOURCE_DIR) + "/protocols/kuroda2003.toml";
@@ -38,7 +38,7 @@ class StudyEndToEnd : public testing::Test {
   }
   /// The exported answers without what differs from run to run: onset_utc, the 13th column.
   std::string answers(const std::string& study) const {
-    const Folder out;
+    const TemporaryFolder out;
     const Outcome exported = run({"export", file(study), "--as", "csv", "--out", out.path().string()});
     EXPECT_EQ(exported.exit_code, 0) << exported.err;
     std::istringstream lines(read(out / "trials.csv"));
@@ -65,7 +65,7 @@ class StudyEndToEnd : public testing::Test {
     }
   }
 
-  Folder folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(StudyEndToEnd, OneSeedGivesTheSameAnswersTwice) {

@@ -56,7 +56,7 @@ class MergeTest : public testing::Test {
     ASSERT_EQ(test::sql(folder_ / "all.db", "DROP TRIGGER " + trigger + ";" + change + ";" + guard), "");
   }
 
-  test::Folder folder_;
+  test::TemporaryFolder folder_;
   Protocol protocol_ = test::small_protocol(2);
   Receipt osaka_{}, kyoto_{};
 };

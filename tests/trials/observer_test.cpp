@@ -133,7 +133,7 @@ TEST(Observer, TheWayInHasTheLeastJerk) {
 class ObserverOnOrgans : public testing::Test {
  protected:
   static Protocol protocol_of(const std::string& text) {
-    const test::Folder folder;
+    const test::TemporaryFolder folder;
     test::write(folder / "p.toml", text);
     return load_protocol(folder / "p.toml");
   }

@@ -17,7 +17,7 @@ using testing::StartsWith;
 
 /// What load_protocol() says to a protocol file of this text.
 std::string refusal_of(const std::string& text) {
-  const test::Folder folder;
+  const test::TemporaryFolder folder;
   const auto file = folder / "p.toml";
   test::write(file, text);
   const std::string said = test::message_of<std::invalid_argument>([&] { load_protocol(file); });
@@ -66,7 +66,7 @@ TEST(Protocol, OverridesMayBeAnyValueOfTheScene) {
            {"present\" = false", "false"},
            {"poisson_ratio\" = 0.25", "0.25"},
            {"offset\" = [\"0 mm\", \"0 mm\", \"1 mm\"]", "[ '0 mm', '0 mm', '1 mm' ]"}}) {
-    const test::Folder folder;
+    const test::TemporaryFolder folder;
     test::write(folder / "p.toml", test::with(test::shipped_text(), "young_modulus\" = \"5.0 MPa\"", text));
     EXPECT_EQ(load_protocol(folder / "p.toml").conditions[1].overrides.at(0).value, value);
   }

@@ -39,7 +39,7 @@ class SessionTest : public testing::Test {
     return said;
   }
 
-  test::Folder folder_;
+  test::TemporaryFolder folder_;
   std::filesystem::path path_ = folder_ / "study.db";
   Protocol protocol_ = test::small_protocol(2);
   std::optional<StudyFile> study_;

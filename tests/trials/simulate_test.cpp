@@ -22,7 +22,7 @@ struct Shared {
 
   static const Shared& get() {
     static const Shared shared = [] {
-      const test::Folder folder;
+      const test::TemporaryFolder folder;
       test::write(folder / "p.toml", test::with(test::shipped_text(), "per_cell = 4", "per_cell = 2"));
       Shared made{.protocol = load_protocol(folder / "p.toml"), .stimuli = {}};
       sim::ComplianceCache cache("");
@@ -62,7 +62,7 @@ class SimulateTest : public testing::Test {
     return found;
   }
 
-  test::Folder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(SimulateTest, OneSeedGivesOneSetOfAnswersAndTraces) {
@@ -148,7 +148,7 @@ TEST(LoadObserver, RefusesWhatItDoesNotKnow) {
   const std::string shipped =
       test::read(std::filesystem::path(PALPATE_SOURCE_DIR) / "protocols/observers/default.toml");
   const auto refusal = [&](std::string_view from, std::string_view to) {
-    const test::Folder folder;
+    const test::TemporaryFolder folder;
     test::write(folder / "o.toml", test::with(shipped, from, to));
     return test::message_of<std::invalid_argument>([&] { load_observer(folder / "o.toml"); });
   };

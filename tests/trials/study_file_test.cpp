@@ -26,7 +26,7 @@ class StudyFileTest : public testing::Test {
     return test::message_of<std::invalid_argument>([&] { open_study(path_, protocol, "0.1.0"); });
   }
 
-  test::Folder folder_;
+  test::TemporaryFolder folder_;
   std::filesystem::path path_ = folder_ / "study.db";
   Protocol protocol_ = test::small_protocol(1);
 };

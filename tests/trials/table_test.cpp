@@ -29,7 +29,7 @@ class TableTest : public testing::Test {
     study_.add_event(event);
   }
 
-  test::Folder folder_;
+  test::TemporaryFolder folder_;
   Protocol protocol_ = test::small_protocol(2);
   StudyFile study_;
 };

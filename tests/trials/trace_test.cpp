@@ -7,7 +7,7 @@
 #include <regex>
 #include <stdexcept>
 
-#include "tests/trials/support/folder.hpp"
+#include "tests/trials/support/files.hpp"
 
 namespace palpate::trials {
 namespace {

@@ -37,7 +37,7 @@ class VerifyTest : public testing::Test {
   }
   std::vector<std::string> problems() { return verify_study(path_).problems; }
 
-  test::Folder folder_;
+  test::TemporaryFolder folder_;
   std::filesystem::path path_ = folder_ / "study.db";
   Protocol protocol_ = test::small_protocol(2);
   Receipt receipt_{};

@@ -58,6 +58,7 @@ std::string describe_dataset(const StudyFile& study) {
     pseudo_haptic |= session.facts.pseudo_haptic;
   }
   std::vector<std::string> by_mode;
+  by_mode.reserve(sittings.size());
   for (const auto& [mode, count] : sittings) by_mode.push_back(fmt::format("{} {}", count, to_string(mode)));
   std::string text = fmt::format(
       "Answers of a forced-choice study of touch on simulated elastic bodies, protocol {} ({}): {}, {} ({}), "

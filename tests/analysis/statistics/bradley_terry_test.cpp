@@ -36,8 +36,8 @@ const ScaledItem& item(const PairedScaling& result, const std::string& name) {
   throw std::out_of_range(name);
 }
 
-std::string refusal_of(const std::vector<Comparison>& comparisons,
-                       const std::optional<std::string>& reference = {}) {
+std::string refusal_of_comparisons(const std::vector<Comparison>& comparisons,
+                                   const std::optional<std::string>& reference = {}) {
   try {
     paired_scaling(comparisons, ScaleModel::BradleyTerry, reference);
   } catch (const std::invalid_argument& error) {
@@ -130,18 +130,18 @@ TEST(PairedScaling, RecoversWhatWasSimulated) {
 }
 
 TEST(PairedScaling, NamesTheItemsThatHaveNoCommonScale) {
-  EXPECT_THAT(refusal_of({{"a", "b", 1}, {"b", "a", 2}, {"c", "d", 1}, {"d", "c", 2}}),
+  EXPECT_THAT(refusal_of_comparisons({{"a", "b", 1}, {"b", "a", 2}, {"c", "d", 1}, {"d", "c", 2}}),
               HasSubstr("no chain of comparisons links a and b with c and d"));
-  EXPECT_THAT(refusal_of({{"a", "b", 1}, {"b", "a", 2}, {"c", "a", 3}, {"c", "b", 2}}),
+  EXPECT_THAT(refusal_of_comparisons({{"a", "b", 1}, {"b", "a", 2}, {"c", "a", 3}, {"c", "b", 2}}),
               HasSubstr("c never lost to a and b: their distance has no finite estimate"));
-  EXPECT_THAT(refusal_of({{"b", "c", 1}, {"c", "b", 2}, {"c", "a", 3}, {"b", "a", 2}}),
+  EXPECT_THAT(refusal_of_comparisons({{"b", "c", 1}, {"c", "b", 2}, {"c", "a", 3}, {"b", "a", 2}}),
               HasSubstr("b and c never lost to a:"));
 }
 
 TEST(PairedScaling, RefusesWhatIsNoComparison) {
-  EXPECT_THAT(refusal_of({}), HasSubstr("no comparisons"));
-  EXPECT_THAT(refusal_of({{"a", "a", 1}}), HasSubstr("'a' is compared with itself"));
-  EXPECT_THAT(refusal_of({{"a", "b", 0}}), HasSubstr("count is 0"));
-  EXPECT_THAT(refusal_of({{"a", "b", 1}, {"b", "a", 1}}, "z"),
+  EXPECT_THAT(refusal_of_comparisons({}), HasSubstr("no comparisons"));
+  EXPECT_THAT(refusal_of_comparisons({{"a", "a", 1}}), HasSubstr("'a' is compared with itself"));
+  EXPECT_THAT(refusal_of_comparisons({{"a", "b", 0}}), HasSubstr("count is 0"));
+  EXPECT_THAT(refusal_of_comparisons({{"a", "b", 1}, {"b", "a", 1}}, "z"),
               HasSubstr("reference is 'z'; accepted: a and b"));
 }

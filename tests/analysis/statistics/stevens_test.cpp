@@ -27,7 +27,7 @@ std::vector<MagnitudeEstimate> six_examinees() {
   return all;
 }
 
-std::string refusal_of(const std::vector<MagnitudeEstimate>& estimates) {
+std::string refusal_of_estimates(const std::vector<MagnitudeEstimate>& estimates) {
   try {
     stevens_fit(estimates);
   } catch (const std::invalid_argument& error) {
@@ -123,9 +123,9 @@ TEST(Stevens, DoesNotDependOnUnits) {
 }
 
 TEST(Stevens, RefusesWhatItCannotAnswer) {
-  EXPECT_THAT(refusal_of({{"a", 1, 0}, {"a", 2, 3}}), HasSubstr("level 1 was judged 0 by 'a'"));
-  EXPECT_THAT(refusal_of({{"a", -1, 2}, {"a", 2, 3}}), HasSubstr("both above 0"));
-  EXPECT_THAT(refusal_of({{"a", 1, 1}, {"a", 1, 2}, {"b", 2, 3}}),
+  EXPECT_THAT(refusal_of_estimates({{"a", 1, 0}, {"a", 2, 3}}), HasSubstr("level 1 was judged 0 by 'a'"));
+  EXPECT_THAT(refusal_of_estimates({{"a", -1, 2}, {"a", 2, 3}}), HasSubstr("both above 0"));
+  EXPECT_THAT(refusal_of_estimates({{"a", 1, 1}, {"a", 1, 2}, {"b", 2, 3}}),
               HasSubstr("no examinee judged two levels"));
-  EXPECT_THAT(refusal_of({{"a", 1, 1}, {"a", 2, 2}}), HasSubstr("none is left over"));
+  EXPECT_THAT(refusal_of_estimates({{"a", 1, 1}, {"a", 2, 2}}), HasSubstr("none is left over"));
 }

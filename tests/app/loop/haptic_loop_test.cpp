@@ -12,13 +12,13 @@ namespace {
 
 using namespace std::chrono_literals;
 
-const IntervalLimits kLimits{.least_presses = 1, .most_presses = 50, .min_depth = 1e-3, .max_time = 5.0};
+const IntervalLimits kManyPresses{.least_presses = 1, .most_presses = 50, .min_depth = 1e-3, .max_time = 5.0};
 
 // On a busy machine cycles are missed; what must hold is that time is kept: cycles run and cycles missed
 // together are the milliseconds that have passed.
 TEST(HapticLoop, KeepsTimeAndCountsWhatItMisses) {
   const sim::Model model = test::palpation("kuroda", "1.0 MPa");
-  IntervalEngine engine(model, kLimits);
+  IntervalEngine engine(model, kManyPresses);
   HapticLoop loop;
   loop.set_hand(-1e-3);
   loop.run(engine);
@@ -45,7 +45,7 @@ TEST(HapticLoop, StateBelongsToTheEngineThatRuns) {
   loop.run(first);
   while (!loop.state().over) std::this_thread::sleep_for(1ms);
   loop.stop();
-  IntervalEngine second(model, kLimits);
+  IntervalEngine second(model, kManyPresses);
   loop.run(second);
   EXPECT_FALSE(loop.state().over);
   loop.forget_hand();

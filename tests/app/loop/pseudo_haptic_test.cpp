@@ -9,7 +9,7 @@
 namespace palpate::app {
 namespace {
 
-constexpr double kStep = 1e-3;  // [s]
+constexpr double kTick = 1e-3;  // [s]
 constexpr double kHand = 8e-3;  // [m]
 
 using Tissue = std::function<double(double depth)>;  // force against the press [N]
@@ -19,7 +19,7 @@ std::vector<double> held_press(const Tissue& tissue, const PseudoHapticCoupling&
   DrivenProbe probe;
   std::vector<double> depths;
   for (int i = 0; i < 1500; ++i) {
-    follow_hand(coupling, probe, kHand, tissue(probe.depth), kStep);
+    follow_hand(coupling, probe, kHand, tissue(probe.depth), kTick);
     depths.push_back(probe.depth);
   }
   return depths;
@@ -86,16 +86,16 @@ TEST(PseudoHaptic, AJumpOfTheForceIsNoKick) {
 TEST(PseudoHaptic, FreeHandIsFollowedWithTheStatedLag) {
   const PseudoHapticCoupling coupling{.largest_hand_speed = 1e3};
   DrivenProbe probe;
-  const int steps = static_cast<int>(std::lround(coupling.lag_time / kStep));
-  for (int i = 0; i < steps; ++i) follow_hand(coupling, probe, -kHand, 0.0, kStep);
+  const int steps = static_cast<int>(std::lround(coupling.lag_time / kTick));
+  for (int i = 0; i < steps; ++i) follow_hand(coupling, probe, -kHand, 0.0, kTick);
   // Implicit Euler of tau x' = h - x over one tau: h (1 - (1 + dt/tau)^-n), near h (1 - 1/e).
-  EXPECT_NEAR(probe.depth / -kHand, 1 - std::pow(1 + kStep / coupling.lag_time, -steps), 1e-12);
+  EXPECT_NEAR(probe.depth / -kHand, 1 - std::pow(1 + kTick / coupling.lag_time, -steps), 1e-12);
 }
 
 TEST(PseudoHaptic, AHandThatJumpsIsFollowedNoFasterThanStated) {
   DrivenProbe probe;
-  follow_hand({}, probe, 1.0, 0.0, kStep);
-  EXPECT_DOUBLE_EQ(probe.hand, 0.5 * kStep);
+  follow_hand({}, probe, 1.0, 0.0, kTick);
+  EXPECT_DOUBLE_EQ(probe.hand, 0.5 * kTick);
 }
 
 TEST(PseudoHaptic, StifferTissueLagsMore) {

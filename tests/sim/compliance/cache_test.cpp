@@ -21,7 +21,7 @@
 
 #include "sim/compliance/cache_file.hpp"
 #include "tests/sim/support/box_mesh.hpp"
-#include "tests/sim/support/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace palpate::sim {
 namespace {
@@ -62,7 +62,7 @@ void put(const fs::path& file, const std::string& bytes) {
 class Cache : public testing::Test {
  protected:
   const Input input_;
-  const test::TemporaryFolder folder_;
+  const palpate::test::TemporaryFolder folder_;
   const fs::path file_ = folder_.path() / (input_.key() + ".compliance");
   const Compliance computed_ = *input_.from(*std::make_unique<ComplianceCache>(""));
 

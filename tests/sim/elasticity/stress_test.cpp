@@ -9,7 +9,7 @@
 namespace palpate::sim {
 namespace {
 
-const Material kTissue{.young_modulus = 3e4, .poisson_ratio = 0.3};
+const Material kFat{.young_modulus = 3e4, .poisson_ratio = 0.3};
 const double kShearModulus = 3e4 / (2 * 1.3);  // G = E / (2 (1 + nu)) [Pa]
 
 /// Von Mises stress of u = H x on an irregular mesh.
@@ -18,7 +18,7 @@ Eigen::VectorXd stress_under(const Eigen::Matrix3d& gradient) {
   Eigen::Matrix3Xd u(3, static_cast<Eigen::Index>(mesh.nodes.size()));
   for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
     u.col(static_cast<Eigen::Index>(i)) = gradient * mesh.nodes[i];
-  return von_mises(mesh, {&kTissue, 1}, u);
+  return von_mises(mesh, {&kFat, 1}, u);
 }
 
 Eigen::Matrix3d diagonal(double x, double y, double z) {
@@ -50,7 +50,7 @@ TEST(VonMises, TakesEachRegionsMaterial) {
   TetMesh mesh = test::box_mesh(1, 1, 1, Vec3(1, 1, 1));
   mesh.region_names = {"nodule"};
   mesh.region[2] = 0;
-  const std::array<Material, 2> materials{kTissue, Material{7 * kTissue.young_modulus, 0.3}};
+  const std::array<Material, 2> materials{kFat, Material{7 * kFat.young_modulus, 0.3}};
   Eigen::Matrix3Xd u(3, 8);
   for (Eigen::Index i = 0; i < 8; ++i) u.col(i) = Vec3(mesh.nodes[static_cast<std::size_t>(i)].y(), 0, 0);
   const Eigen::VectorXd stress = von_mises(mesh, materials, u);

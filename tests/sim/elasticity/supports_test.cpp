@@ -20,7 +20,7 @@ using test::box_mesh;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-const Material kTissue{.young_modulus = 1.0, .poisson_ratio = 0.4};
+const Material kUnitStiff{.young_modulus = 1.0, .poisson_ratio = 0.4};
 
 /// 4 x 3 x 3 nodes; node i + 4 (j + 3 k) has the tag one above.
 TetMesh bar() {
@@ -44,7 +44,7 @@ TetMesh two_bars() {
 /// Solves under a unit force on every node, and says what was refused.
 void solve(const TetMesh& mesh, const std::vector<int>& fixed) {
   const Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Ones(3, static_cast<Eigen::Index>(mesh.nodes.size()));
-  static_solve(stiffness(mesh, {&kTissue, 1}), fixed, forces);
+  static_solve(stiffness(mesh, {&kUnitStiff, 1}), fixed, forces);
 }
 
 struct MissingRank {

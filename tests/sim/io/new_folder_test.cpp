@@ -7,7 +7,7 @@
 #include <iterator>
 #include <system_error>
 
-#include "tests/sim/support/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace palpate::sim {
 namespace {
@@ -26,7 +26,7 @@ std::size_t entries(const fs::path& folder) {
 
 class NewFolderTest : public testing::Test {
  protected:
-  test::TemporaryFolder temporary_;
+  palpate::test::TemporaryFolder temporary_;
   fs::path root_ = temporary_.path();
 };
 

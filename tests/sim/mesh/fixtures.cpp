@@ -1,7 +1,6 @@
 #include "tests/sim/mesh/fixtures.hpp"
 
 #include <fmt/format.h>
-#include <stdlib.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -98,17 +97,6 @@ double enclosed_volume(const TetMesh& mesh) {
     volume += at(0).dot(at(1).cross(at(2))) / 6.0;
   }
   return volume;
-}
-
-TemporaryFolder::TemporaryFolder() {
-  std::string name = (std::filesystem::temp_directory_path() / "palpate-mesh-XXXXXX").string();
-  if (!::mkdtemp(name.data())) throw std::runtime_error("cannot create a temporary folder");
-  path = name;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path, ignored);
 }
 
 }  // namespace palpate::sim::test

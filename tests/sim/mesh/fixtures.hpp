@@ -32,13 +32,4 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 /// Volume by the divergence theorem from the surface alone: sum of a . (b x c) / 6 over outward triangles.
 double enclosed_volume(const TetMesh& mesh);
 
-/// A folder of its own for a test's files, removed at the end.
-struct TemporaryFolder {
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  std::filesystem::path path;
-};
-
 }  // namespace palpate::sim::test

@@ -7,10 +7,12 @@
 #include "sim/mesh/write_msh.hpp"
 #include "sim/mesh/write_vtu.hpp"
 #include "tests/sim/mesh/fixtures.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace palpate::sim::test {
 namespace {
 
+using palpate::test::TemporaryFolder;
 using testing::HasSubstr;
 
 TetMesh boxes() {
@@ -22,8 +24,8 @@ TetMesh boxes() {
 TEST(WriteMsh, ReadsBackTheSame) {
   const TemporaryFolder folder;
   const TetMesh mesh = boxes();
-  write_msh(folder.path / "out.msh", mesh);
-  const MeshFile read = read_mesh(folder.path / "out.msh", 1.0);
+  write_msh(folder / "out.msh", mesh);
+  const MeshFile read = read_mesh(folder / "out.msh", 1.0);
   EXPECT_EQ(read.mesh.nodes, mesh.nodes);
   EXPECT_EQ(read.mesh.node_tags, mesh.node_tags);
   EXPECT_EQ(read.mesh.tetrahedra, mesh.tetrahedra);
@@ -38,8 +40,8 @@ TEST(WriteMsh, NumbersNodesAfreshWhereMshCannotKeepTheirTags) {
   const TemporaryFolder folder;
   TetMesh cube = cube_mesh(1, 1.0);
   cube.node_tags = {0, 1, 2, 3, 4, 5, 6, 7};  // as read from VTU
-  write_msh(folder.path / "out.msh", cube);
-  EXPECT_EQ(read_mesh(folder.path / "out.msh", 1.0).mesh.node_tags,
+  write_msh(folder / "out.msh", cube);
+  EXPECT_EQ(read_mesh(folder / "out.msh", 1.0).mesh.node_tags,
             (std::vector<std::int64_t>{1, 2, 3, 4, 5, 6, 7, 8}));
 }
 
@@ -47,15 +49,15 @@ TEST(WriteMsh, RefusesNamesThatMshCannotHold) {
   const TemporaryFolder folder;
   TetMesh cube = cube_mesh(1, 1.0);
   cube.node_groups["the \"soft\" part"] = {0};
-  EXPECT_THROW(write_msh(folder.path / "out.msh", cube), std::invalid_argument);
-  EXPECT_TRUE(std::filesystem::is_empty(folder.path));
+  EXPECT_THROW(write_msh(folder / "out.msh", cube), std::invalid_argument);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 TEST(WriteVtu, ReadsBackTheSameButRegionsByNumber) {
   const TemporaryFolder folder;
   const TetMesh mesh = boxes();
-  write_vtu(folder.path / "out.vtu", mesh, {});
-  const MeshFile read = read_mesh(folder.path / "out.vtu", 1.0);
+  write_vtu(folder / "out.vtu", mesh, {});
+  const MeshFile read = read_mesh(folder / "out.vtu", 1.0);
   EXPECT_EQ(read.mesh.nodes, mesh.nodes);
   EXPECT_EQ(read.mesh.tetrahedra, mesh.tetrahedra);
   EXPECT_EQ(read.mesh.region, mesh.region);
@@ -69,20 +71,20 @@ TEST(WriteVtu, WritesFieldsWithAllDigitsAndEscapesNames) {
   VtuFields fields;
   fields.point_vectors["displacement"] = Eigen::Matrix3Xd::Constant(3, 8, 0.1 + 0.2);
   fields.cell_scalars["a < b & \"c\""] = Eigen::VectorXd::Constant(6, 1e-300);
-  write_vtu(folder.path / "out.vtu", cube, fields);
-  const std::string text = read_bytes(folder.path / "out.vtu");
+  write_vtu(folder / "out.vtu", cube, fields);
+  const std::string text = read_bytes(folder / "out.vtu");
   EXPECT_THAT(text, HasSubstr("Name=\"displacement\" NumberOfComponents=\"3\""));
   EXPECT_THAT(text, HasSubstr("0.30000000000000004 0.30000000000000004 0.30000000000000004"));
   EXPECT_THAT(text, HasSubstr("Name=\"a &lt; b &amp; &quot;c&quot;\""));
   EXPECT_THAT(text, HasSubstr("\n1e-300\n"));
-  EXPECT_EQ(read_mesh(folder.path / "out.vtu", 1.0).mesh.tetrahedra, cube.tetrahedra);
+  EXPECT_EQ(read_mesh(folder / "out.vtu", 1.0).mesh.tetrahedra, cube.tetrahedra);
 }
 
 TEST(WriteMesh, LeavesNothingBehindWhereTheDiskRefuses) {
   const TemporaryFolder folder;
-  EXPECT_THROW(write_msh(folder.path / "none" / "out.msh", cube_mesh(1, 1.0)), std::system_error);
-  EXPECT_THROW(write_vtu(folder.path / "none" / "out.vtu", cube_mesh(1, 1.0), {}), std::system_error);
-  EXPECT_TRUE(std::filesystem::is_empty(folder.path));
+  EXPECT_THROW(write_msh(folder / "none" / "out.msh", cube_mesh(1, 1.0)), std::system_error);
+  EXPECT_THROW(write_vtu(folder / "none" / "out.vtu", cube_mesh(1, 1.0), {}), std::system_error);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 }  // namespace

@@ -8,29 +8,13 @@
 #include "sim/compliance/cache.hpp"
 #include "sim/mesh/write_msh.hpp"
 #include "tests/sim/support/box_mesh.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace palpate::sim::test {
 namespace {
 
-/// A folder under the system's temporary one that goes when the process ends.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "palpate-test-XXXXXX").string();
-    path_ = ::mkdtemp(name.data());
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
 std::filesystem::path fresh_folder() {
-  static const TemporaryFolder all;
+  static const palpate::test::TemporaryFolder all;
   static int count = 0;
   const auto folder = all.path() / std::to_string(++count);
   std::filesystem::create_directory(folder);

@@ -31,7 +31,7 @@ class ExportedStudy : public testing::Test {
     unfinished.begin_interval();  // killed here: nothing was measured
   }
 
-  Folder folder_;
+  TemporaryFolder folder_;
   Protocol protocol_ = small_protocol(2);
   StudyFile study_;
   ExportFacts facts_{.authors = {"A. Author"}, .software_version = "0.1.0", .exported_utc = utc_now()};

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "sim/io/sha256.hpp"
-#include "tests/trials/support/folder.hpp"
+#include "tests/trials/support/files.hpp"
 #include "trials/protocol.hpp"
 
 namespace palpate::trials::test {

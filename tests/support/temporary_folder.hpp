@@ -4,9 +4,10 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <system_error>
 
-namespace palpate::sim::test {
+namespace palpate::test {
 
 /// An empty folder of its own for a test, gone with it.
 class TemporaryFolder {
@@ -24,9 +25,10 @@ class TemporaryFolder {
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path operator/(std::string_view name) const { return path_ / name; }
 
  private:
   std::filesystem::path path_;
 };
 
-}  // namespace palpate::sim::test
+}  // namespace palpate::test
