@@ -5,12 +5,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <system_error>
@@ -35,6 +37,18 @@ std::string quoted(const std::string& text) {
   return result + "'";
 }
 
+/// A logarithmic x axis that ends shortly beyond the data: gnuplot's own would go on to the next decades.
+std::string log_range(const Plot& plot) {
+  double least = std::numeric_limits<double>::infinity(), most = 0.0;
+  for (const PlotSeries& series : plot.series) {
+    for (const double x : series.x) {
+      least = std::min(least, x);
+      most = std::max(most, x);
+    }
+  }
+  return fmt::format("set logscale x\nset xrange [{:g}:{:g}]\n", least / 1.3, most * 1.3);
+}
+
 std::string script(const Plot& plot, bool svg) {
   std::string text = "set encoding utf8\n";
   text += svg ? "set terminal svg size 760,500 dynamic noenhanced font 'sans-serif,13' background '#ffffff'\n"
@@ -42,12 +56,12 @@ std::string script(const Plot& plot, bool svg) {
   // gnuplot gives a title of two lines one font, so the note is a label of its own.
   text += fmt::format("set title {} offset 0,{}\n", quoted(plot.title), plot.note.empty() ? 0 : 0.8);
   if (!plot.note.empty())
-    text += fmt::format("set label 1 {} at graph 0.5,1.035 center font ',{}' textcolor '#555555'\n",
+    text += fmt::format("set label 1 {} at screen 0.5,graph 1.035 center font ',{}' textcolor '#555555'\n",
                         quoted(plot.note), svg ? 10 : 14);
   text += fmt::format("set xlabel {}\nset ylabel {}\n", quoted(plot.x_label), quoted(plot.y_label));
   text += "set border 3 linecolor '#444444'\nset tics nomirror\nset grid linecolor '#e4e4e4' linetype 1\n";
-  text += "set key below Left reverse width 1\n";
-  if (plot.log_x) text += "set logscale x\n";
+  text += plot.series.size() == 1 ? "unset key\n" : "set key below Left reverse width 1 height 1\n";
+  if (plot.log_x) text += log_range(plot);
   text += plot.log_y ? "set logscale y\n" : "set yrange [0:*]\n";
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     const PlotSeries& series = plot.series[i];
@@ -62,10 +76,11 @@ std::string script(const Plot& plot, bool svg) {
     text += "end_of_series\n";
   }
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
+    const std::size_t points_a_mark = 1 + plot.series[i].x.size() / 25;
     text += fmt::format(
-        "{} $s{} using 1:2 with linespoints linecolor '{}' pointtype {} pointsize 0.6 linewidth 2 {} "
-        "title {}",
-        i == 0 ? "plot" : ",", i, kColours[i % kColours.size()], kMarks[i % kMarks.size()],
+        "{} $s{} using 1:2 with linespoints linecolor '{}' pointtype {} pointinterval {} pointsize 0.6 "
+        "linewidth 2 {} title {}",
+        i == 0 ? "plot" : ",", i, kColours[i % kColours.size()], kMarks[i % kMarks.size()], points_a_mark,
         plot.series[i].dashed ? "dashtype 2" : "", quoted(plot.series[i].name));
   }
   return text + "\n";

@@ -14,6 +14,7 @@ namespace palpate::trials {
 using Stimuli = std::vector<std::shared_ptr<const sim::Model>>;
 
 /// Throws std::invalid_argument as sim::compile() does, with the condition and the cell.
+sim::Model compile_stimulus(const Protocol& protocol, const Stimulus& stimulus, sim::ComplianceCache& cache);
 Stimuli compile_stimuli(const Protocol& protocol, sim::ComplianceCache& cache);
 
 }  // namespace palpate::trials

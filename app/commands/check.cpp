@@ -12,14 +12,15 @@
 #include "analysis/statistics/critical_number.hpp"
 #include "analysis/words.hpp"
 #include "app/commands/commands.hpp"
+#include "app/input_kind.hpp"
 #include "app/mesh_report.hpp"
 #include "app/output.hpp"
 #include "app/scene_options.hpp"
 #include "app/user_cache.hpp"
 #include "sim/cycle/press.hpp"
-#include "sim/io/toml_reader.hpp"
 #include "sim/mesh/quality.hpp"
 #include "sim/scene/effects.hpp"
+#include "sim/scene/quantity.hpp"
 #include "trials/protocol.hpp"
 
 namespace palpate::app {
@@ -217,16 +218,8 @@ void check_mesh(const CheckOptions& options) {
 void run_check(const CheckOptions& options) {
   const std::string ending = std::filesystem::path(options.input.file).extension();
   if (ending == ".msh" || ending == ".vtu") return check_mesh(options);
-  const toml::table file = sim::read_toml(options.input.file);
-  if (file.contains("bodies")) return print(check_scene(options.input), options.format);
-  if (file.contains("task") || file.contains("conditions") || file.contains("scene")) {
-    if (!options.input.set.empty() || !options.input.model.empty())
-      throw std::invalid_argument(
-          fmt::format("{}: --set and --model belong to a scene, and this is a protocol", options.input.file));
-    return print(check_protocol(options.input.file), options.format);
-  }
-  throw std::invalid_argument(fmt::format(
-      "{}: neither a scene ([bodies.NAME]) nor a protocol ([conditions.NAME], [task])", options.input.file));
+  if (input_kind(options.input) == InputKind::Scene) return print(check_scene(options.input), options.format);
+  print(check_protocol(options.input.file), options.format);
 }
 
 }  // namespace

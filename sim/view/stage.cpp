@@ -39,7 +39,8 @@ double distance_to_triangle(const Vec3& p, const Vec3& along, const Vec3& a, con
   const Vec3 other = from_a.cross(ab);
   const double v = along.dot(other) / determinant;
   const double distance = ac.dot(other) / determinant;
-  return u >= 0 && v >= 0 && u + v <= 1 && distance > 0 ? distance : kInfinity;
+  if (u < 0 || v < 0 || u + v > 1 || distance <= 0) return kInfinity;
+  return distance;
 }
 
 /// How far a point can go from p before it meets a body at rest [m].
