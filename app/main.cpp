@@ -91,5 +91,7 @@ int main(int argc, char** argv) {
     return report(error.what(), kMachineFailed);
   }
   if (app.get_subcommands().empty()) std::fputs(app.help().c_str(), stdout);
+  if (std::fflush(stdout) != 0 || std::ferror(stdout))
+    return report("standard output: cannot be written; the result is lost", kMachineFailed);
   return kDone;
 }

@@ -10,7 +10,9 @@
 #include "analysis/statistics/to_json.hpp"
 #include "analysis/words.hpp"
 #include "app/study_table.hpp"
+#include "app/user_cache.hpp"
 #include "sim/io/sha256.hpp"
+#include "trials/stimuli.hpp"
 
 namespace palpate::app {
 namespace {
@@ -43,14 +45,6 @@ std::string examinees(const std::optional<SampleSize>& size, bool lasting, long 
   if (!size) return "n/a";
   const std::optional<long>& trials = lasting ? size->lasting : size->first;
   return trials ? std::to_string(*trials / each) : "more than asked";
-}
-
-std::string region(const CriticalNumber& critical) {
-  std::string text;
-  if (critical.at_least) text += fmt::format("{} or more correct reject guessing", *critical.at_least);
-  if (critical.at_least && critical.at_most) text += ", and ";
-  if (critical.at_most) text += fmt::format("{} or fewer correct reject guessing", *critical.at_most);
-  return text.empty() ? "no number of correct answers rejects guessing" : text;
 }
 
 std::string regions_in_words(const StudyPlan& plan) {
@@ -160,19 +154,35 @@ void refuse_if_late(const trials::StudyFile& study) {
 
 }  // namespace
 
+std::string region(const CriticalNumber& critical) {
+  std::string text;
+  if (critical.at_least) text += fmt::format("{} or more correct reject guessing", *critical.at_least);
+  if (critical.at_least && critical.at_most) text += ", and ";
+  if (critical.at_most) text += fmt::format("{} or fewer correct reject guessing", *critical.at_most);
+  return text.empty() ? "no number of correct answers rejects guessing" : text;
+}
+
+StudyPlan planned_regions(const trials::Protocol& protocol) {
+  StudyPlan plan{.protocol = protocol};
+  const StudyDesign design = design_of(protocol);
+  plan.looks = looks_of(design);
+  if (!plan.looks.empty())
+    plan.critical = plan.looks.back().critical;
+  else if (design.interval_order == "coin")
+    plan.critical = critical_number(long{protocol.trials_per_examinee_per_cell} * protocol.planned_examinees,
+                                    1.0 / trials::intervals_per_trial(protocol), design.alpha,
+                                    side_from_name(design.side));
+  return plan;
+}
+
 StudyPlan study_plan(const trials::Protocol& protocol, double overdispersion) {
-  StudyPlan plan{.protocol = protocol, .overdispersion = overdispersion};
+  StudyPlan plan = planned_regions(protocol);
+  plan.overdispersion = overdispersion;
   const StudyDesign design = design_of(protocol);
   const long each = protocol.trials_per_examinee_per_cell;
   const double chance = 1.0 / trials::intervals_per_trial(protocol), alpha = design.alpha;
   const Side side = side_from_name(design.side);
   const bool coin = design.interval_order == "coin";
-  plan.looks = looks_of(design);
-  if (!plan.looks.empty()) {
-    plan.critical = plan.looks.back().critical;
-  } else if (coin) {
-    plan.critical = critical_number(each * protocol.planned_examinees, chance, alpha, side);
-  }
   for (const double probability : proportions(side)) {
     PowerRow row{.alike = primary_power(design, probability),
                  .differing = primary_power(design, probability, overdispersion)};
@@ -239,6 +249,8 @@ ordered_json to_json(const StudyPlan& plan) {
 }
 
 std::string freeze_plan(const trials::Protocol& protocol, const std::filesystem::path& path) {
+  sim::ComplianceCache cache = user_cache();
+  trials::compile_stimuli(protocol, cache);  // no plan is frozen for a study that cannot run
   if (std::filesystem::exists(path)) refuse_if_late(trials::read_study(path));
   trials::StudyFile study = trials::open_study(path, protocol, PALPATE_VERSION);
   const std::string text = frozen_text(protocol).dump();

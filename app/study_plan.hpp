@@ -30,10 +30,15 @@ struct StudyPlan {
   std::vector<PowerRow> rows{};
 };
 
+/// The plan without power: critical number and looks, which take no time.
+StudyPlan planned_regions(const trials::Protocol& protocol);
+
 /// @param overdispersion  gamma of the examinees' probabilities, 0 to 1
 StudyPlan study_plan(const trials::Protocol& protocol, double overdispersion);
 
 std::string in_words(const StudyPlan& plan);
+/// "37 or more correct reject guessing"
+std::string region(const analysis::CriticalNumber& critical);
 nlohmann::ordered_json to_json(const StudyPlan& plan);
 
 /// Writes the analysis plan (protocol, test, alpha, side, looks, sample, program version) into the study file

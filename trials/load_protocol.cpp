@@ -47,10 +47,28 @@ std::vector<sim::Scene> scenes_of(const Protocol& protocol) {
   return scenes;
 }
 
+/// Whether nothing that is simulated differs. (A scene's name is seen by readers only.)
+bool feel_alike(sim::Scene a, const sim::Scene& b) {
+  a.name = b.name;
+  return a == b;
+}
+
+/// Nobody may be asked to press deeper than the scene's finger goes.
+void check_depth(const Protocol& protocol, const std::vector<sim::Scene>& scenes) {
+  for (const sim::Scene& scene : scenes)
+    if (protocol.exploration.min_depth > scene.probes.front().depth)
+      throw std::invalid_argument(fmt::format(
+          "{}: exploration.min_depth: found {:g} mm, and probes.{} of {} presses {:g} mm deep; accepted: "
+          "no more than that",
+          protocol.file.string(), 1e3 * protocol.exploration.min_depth, scene.probes.front().name,
+          protocol.scene_file.string(), 1e3 * scene.probes.front().depth));
+}
+
 void check_pair_differs(const Protocol& protocol, const std::vector<sim::Scene>& scenes) {
   const auto [first, second] = protocol.pair;
   for (std::size_t cell = 0; cell < protocol.cells.size(); ++cell)
-    if (scenes[stimulus_index(protocol, cell, first)] == scenes[stimulus_index(protocol, cell, second)])
+    if (feel_alike(scenes[stimulus_index(protocol, cell, first)],
+                   scenes[stimulus_index(protocol, cell, second)]))
       refuse(protocol, protocol.conditions[second].line,
              fmt::format("conditions.{}: is the same scene as \"{}\"{}; accepted: conditions that differ",
                          protocol.conditions[second].name, protocol.conditions[first].name,
@@ -61,7 +79,8 @@ void check_levels_differ(const Protocol& protocol, const std::vector<sim::Scene>
   for (const std::size_t condition : protocol.pair)
     for (std::size_t b = 1; b < protocol.cells.size(); ++b)
       for (std::size_t a = 0; a < b; ++a)
-        if (scenes[stimulus_index(protocol, a, condition)] == scenes[stimulus_index(protocol, b, condition)])
+        if (feel_alike(scenes[stimulus_index(protocol, a, condition)],
+                       scenes[stimulus_index(protocol, b, condition)]))
           refuse(
               protocol, protocol.factors.front().line,
               fmt::format(
@@ -88,6 +107,7 @@ Protocol load_protocol(const std::filesystem::path& file) {
   const std::vector<sim::Scene> scenes = scenes_of(protocol);
   check_pair_differs(protocol, scenes);
   check_levels_differ(protocol, scenes);
+  check_depth(protocol, scenes);
 
   protocol.scene_text = sim::read_text(protocol.scene_file);
   protocol.files.push_back({"scene", protocol.scene_file, sim::sha256_hex(protocol.scene_text)});

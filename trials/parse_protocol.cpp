@@ -18,6 +18,7 @@ using Words = std::initializer_list<std::string_view>;
 
 constexpr std::int64_t kMostTrials = 1000;  // of one cell in one sitting: more is a slip of the keyboard
 constexpr std::int64_t kMostExaminees = 100000;
+constexpr double kLeastTime = 0.5;  // of an interval [s]
 
 TomlReader section(TomlReader& reader, std::string_view key, std::string_view accepted) {
   reader.required(key, accepted);
@@ -157,7 +158,10 @@ void read_exploration(TomlReader reader, Exploration& rule) {
   if (rule.min_depth < 0.0)
     reader.refuse("min_depth", "is negative; accepted: a depth >= 0 such as \"3 mm\"");
   rule.max_time = reader.required_quantity("max_time", Dimension::Time, "\"10 s\"");
-  if (rule.max_time <= 0.0) reader.refuse("max_time", "accepted: a time > 0 such as \"10 s\"");
+  if (rule.max_time < kLeastTime)
+    reader.refuse(
+        "max_time",
+        fmt::format("is too short for a press; accepted: {:g} s or more, such as \"10 s\"", kLeastTime));
   reader.refuse_unknown();
 }
 

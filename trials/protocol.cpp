@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 namespace palpate::trials {
+
+constexpr std::size_t kMostCells = 1000;  // more is a slip of the keyboard
+
 namespace {
 
 /// Levels of each factor in cell number `cell`, the last factor fastest.
@@ -68,7 +71,12 @@ void expand(Protocol& protocol) {
   protocol.cells.clear();
   protocol.stimuli.clear();
   std::size_t count = 1;
-  for (const Factor& factor : protocol.factors) count *= factor.levels.size();
+  for (const Factor& factor : protocol.factors) {
+    count *= factor.levels.size();
+    if (count > kMostCells)
+      throw std::invalid_argument(fmt::format("{}:{}: factors: make more than {} cells; accepted: at most {}",
+                                              protocol.file.string(), factor.line, kMostCells, kMostCells));
+  }
   for (std::size_t cell = 0; cell < count; ++cell) {
     protocol.cells.push_back(make_cell(protocol.factors, cell));
     for (std::size_t condition = 0; condition < protocol.conditions.size(); ++condition)

@@ -8,20 +8,22 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "analysis/statistics/binomial_power.hpp"
-#include "analysis/statistics/critical_number.hpp"
+#include "analysis/report/primary_power.hpp"
 #include "analysis/words.hpp"
 #include "app/commands/commands.hpp"
 #include "app/input_kind.hpp"
 #include "app/mesh_report.hpp"
 #include "app/output.hpp"
 #include "app/scene_options.hpp"
+#include "app/study_plan.hpp"
+#include "app/study_table.hpp"
 #include "app/user_cache.hpp"
 #include "sim/cycle/press.hpp"
 #include "sim/mesh/quality.hpp"
 #include "sim/scene/effects.hpp"
 #include "sim/scene/quantity.hpp"
 #include "trials/protocol.hpp"
+#include "trials/stimuli.hpp"
 
 namespace palpate::app {
 namespace {
@@ -57,6 +59,8 @@ struct BodyCheck {
   std::size_t fixed = 0, can_collide = 0;
 };
 
+constexpr double kLocking = 0.45;  // Poisson's ratio from which on locking shows
+
 struct SceneCheck {
   std::string name;
   std::vector<BodyCheck> bodies{};
@@ -64,6 +68,26 @@ struct SceneCheck {
   double deformation_us = 0.0;  // a cycle without contact
   double contact_us = 0.0;      // what contact adds
 };
+
+/// What can be computed and will mislead.
+void add_warnings(const sim::Model& model, std::vector<BodyCheck>& checks) {
+  for (std::size_t i = 0; i < checks.size(); ++i) {
+    sim::MeshQuality& quality = checks[i].quality;
+    for (const sim::Material& material : model.bodies[i].materials)
+      if (material.poisson_ratio >= kLocking) {
+        quality.warnings.push_back(fmt::format(
+            "poisson_ratio {}: linear tetrahedra lock as it nears 0.5, and forces come out too large; this "
+            "version has no treatment of near-incompressibility",
+            material.poisson_ratio));
+        break;
+      }
+    const double size = (quality.upper - quality.lower).norm();
+    for (const int probe : model.bodies[i].probes)
+      if (const sim::Probe& finger = model.probes[static_cast<std::size_t>(probe)]; finger.depth > size)
+        quality.warnings.push_back(fmt::format("probes.{} presses {:g} mm deep into a body {:g} mm across",
+                                               finger.name, 1e3 * finger.depth, 1e3 * size));
+  }
+}
 
 SceneCheck check_scene(const SceneOptions& input) {
   const sim::Scene scene = load_scene(input);
@@ -73,6 +97,7 @@ SceneCheck check_scene(const SceneOptions& input) {
   for (const sim::Body& body : model.bodies)
     check.bodies.push_back(
         {body.name, sim::measure_quality(*body.mesh), body.fixed.size(), body.colliding_nodes.size()});
+  add_warnings(model, check.bodies);
   const double whole = median_cycle_us(model);
   model.law = sim::ContactModel::None;
   check.deformation_us = median_cycle_us(model);
@@ -132,21 +157,36 @@ ordered_json to_json(const SceneCheck& check) {
 struct ProtocolCheck {
   trials::Protocol protocol{};
   trials::PlanSummary plan{};
-  analysis::CriticalNumber critical{};
-  double power = 0.0;  // when 3 of 4 answers are correct
+  StudyPlan regions{};
+  analysis::Power power{};  // when an effect of middling size is there
 };
 
 constexpr double kProbabilityOfAnEffect = 0.75;  // half way between chance and certainty
 
+/// Reads everything that a session will need, so that what is sound here also runs.
 ProtocolCheck check_protocol(const std::string& file) {
   ProtocolCheck check{.protocol = trials::load_protocol(file)};
+  sim::ComplianceCache cache = user_cache();
+  trials::compile_stimuli(check.protocol, cache);
   check.plan = trials::describe(check.protocol);
-  const double chance = 1.0 / trials::intervals_per_trial(check.protocol);
-  const analysis::Side side = analysis::side_from_name(check.protocol.analysis.side);
-  check.critical =
-      analysis::critical_number(check.plan.trials_per_cell, chance, check.protocol.analysis.alpha, side);
-  check.power = analysis::rejection_probability(check.critical, kProbabilityOfAnEffect);
+  check.regions = planned_regions(check.protocol);
+  const bool less = check.protocol.analysis.side == "less";
+  check.power = analysis::primary_power(design_of(check.protocol),
+                                        less ? 1.0 - kProbabilityOfAnEffect : kProbabilityOfAnEffect);
   return check;
+}
+
+void print_regions(const ProtocolCheck& check) {
+  const StudyPlan& regions = check.regions;
+  if (!regions.critical)
+    fmt::print("  critical value  depends on how often either interval is answered; it is in the report\n");
+  else if (regions.looks.empty())
+    fmt::print("  critical value  {} of {} in a cell (size {:.4f})\n", region(*regions.critical),
+               regions.critical->trials, regions.critical->size);
+  for (const analysis::PlannedLook& look : regions.looks)
+    fmt::print("  critical value  at {} examinees: {} of {} in a cell (size by then {:.4f})\n",
+               look.critical.trials / check.protocol.trials_per_examinee_per_cell, region(look.critical),
+               look.critical.trials, look.size);
 }
 
 void print_text(const ProtocolCheck& check) {
@@ -165,20 +205,27 @@ void print_text(const ProtocolCheck& check) {
              100 * plan.best_guess);
   fmt::print("  primary test    {}, {}, alpha {}\n", check.protocol.analysis.primary,
              check.protocol.analysis.side, check.protocol.analysis.alpha);
-  if (check.critical.at_least)
-    fmt::print("  critical value  {} or more correct of {} in a cell (size {:.4f})\n",
-               *check.critical.at_least, plan.trials_per_cell, check.critical.size);
-  if (check.critical.at_most)
-    fmt::print("  critical value  {} or fewer correct of {} in a cell\n", *check.critical.at_most,
-               plan.trials_per_cell);
-  fmt::print("  power           {:.4f} when {:.0f} % of answers are correct (exact)\n", check.power,
-             100 * kProbabilityOfAnEffect);
+  print_regions(check);
+  fmt::print("  power           {:.4f} when {:.0f} % of answers are correct ({})\n", check.power.power,
+             100 * check.power.probability,
+             check.power.studies > 0 ? fmt::format("{} simulated studies", check.power.studies) : "exact");
+}
+
+ordered_json critical_json(const analysis::CriticalNumber& critical, double size) {
+  ordered_json json = {{"trials", critical.trials}, {"size", size}};
+  if (critical.at_least) json["at_least"] = *critical.at_least;
+  if (critical.at_most) json["at_most"] = *critical.at_most;
+  return json;
 }
 
 ordered_json to_json(const ProtocolCheck& check) {
-  ordered_json critical = {{"size", check.critical.size}};
-  if (check.critical.at_least) critical["at_least"] = *check.critical.at_least;
-  if (check.critical.at_most) critical["at_most"] = *check.critical.at_most;
+  const StudyPlan& regions = check.regions;
+  ordered_json looks = ordered_json::array(), critical;  // null where it depends on the answers
+  for (const analysis::PlannedLook& look : regions.looks)
+    looks.push_back(critical_json(look.critical, look.size));
+  if (regions.critical)
+    critical = critical_json(*regions.critical,
+                             regions.looks.empty() ? regions.critical->size : regions.looks.back().size);
   return {{"protocol", check.protocol.name},
           {"sha256", check.protocol.sha256},
           {"trials_per_examinee", check.plan.trials_per_session},
@@ -191,7 +238,11 @@ ordered_json to_json(const ProtocolCheck& check) {
           {"alpha", check.protocol.analysis.alpha},
           {"side", check.protocol.analysis.side},
           {"critical", critical},
-          {"power", {{"probability", kProbabilityOfAnEffect}, {"power", check.power}}}};
+          {"looks", looks},
+          {"power",
+           {{"probability", check.power.probability},
+            {"power", check.power.power},
+            {"simulated_studies", check.power.studies}}}};
 }
 
 // ---- which of the three it is ----

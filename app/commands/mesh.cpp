@@ -28,6 +28,10 @@ std::string check_ending(const std::string& out) {
 }
 
 void run_mesh(const MeshOptions& options) {
+  std::error_code none;
+  if (!options.out.empty() && std::filesystem::equivalent(options.out, options.file, none))
+    throw std::invalid_argument(fmt::format(
+        "--out {}: is the mesh itself, whose unit would change; accepted: another name", options.out));
   const MeshReport report = inspect_mesh(options.file, sim::metres_per_unit(options.unit));
   if (!options.out.empty()) {
     if (std::filesystem::path(options.out).extension() == ".msh")

@@ -5,7 +5,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <system_error>
 
 #include "analysis/report/write_report.hpp"
 #include "app/commands/commands.hpp"
@@ -31,7 +33,21 @@ void log_interim_look(const std::filesystem::path& path, const analysis::StudyRe
                    .utc = trials::utc_now()});
 }
 
+// A report never takes the place of something that is none.
+void check_page(const ReportOptions& options) {
+  if (options.out.empty()) return;
+  const std::filesystem::path page = options.out;
+  if (page.extension() != ".html" && page.extension() != ".htm")
+    throw std::invalid_argument(
+        fmt::format("--out {}: accepted: a file name that ends in .html", options.out));
+  std::error_code none;
+  if (std::filesystem::equivalent(page, options.study, none))
+    throw std::invalid_argument(
+        fmt::format("--out {}: is the study file itself; accepted: another name", options.out));
+}
+
 void run_report(const ReportOptions& options) {
+  check_page(options);
   analysis::ReportOptions asked{
       .interim = options.interim, .software_version = PALPATE_VERSION, .written_utc = trials::utc_now()};
   if (!options.run_mode.empty()) asked.run_mode = options.run_mode;

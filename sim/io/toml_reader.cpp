@@ -48,10 +48,12 @@ std::string read_text(const std::filesystem::path& file) {
     throw std::invalid_argument(fmt::format("{}: no such file", file.string()));
   if (std::filesystem::is_directory(file))
     throw std::invalid_argument(fmt::format("{}: is a folder, accepted: a file", file.string()));
+  if (!std::filesystem::is_regular_file(file) && !std::filesystem::is_fifo(file))
+    throw std::invalid_argument(fmt::format("{}: is a device, accepted: a file", file.string()));
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream text;
   text << stream.rdbuf();
-  if (!stream) throw std::invalid_argument(fmt::format("{}: cannot be read", file.string()));
+  if (!stream || text.bad()) throw std::invalid_argument(fmt::format("{}: cannot be read", file.string()));
   return std::move(text).str();
 }
 

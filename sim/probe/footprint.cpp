@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <set>
@@ -19,20 +20,33 @@ namespace {
 int node_of_tag(const ProbeSpec& spec, const TetMesh& mesh, std::int64_t tag) {
   const auto found = std::ranges::find(mesh.node_tags, tag);
   if (found == mesh.node_tags.end())
-    refuse(spec, fmt::format("the mesh of {} has no node number {}", spec.body, tag));
+    refuse(spec,
+           fmt::format(
+               "the mesh of {} has no node number {}; accepted: a number of the mesh file, or at = [...]",
+               spec.body, tag));
   return static_cast<int>(found - mesh.node_tags.begin());
 }
 
-int nearest_surface_node(const TetMesh& mesh, const Surface& surface, const Vec3& place) {
+int nearest_surface_node(const ProbeSpec& spec, const TetMesh& mesh, const Surface& surface,
+                         const Vec3& place) {
+  Vec3 lower = mesh.nodes[static_cast<std::size_t>(surface.nodes.front())], upper = lower;
   int nearest = -1;
   double least = std::numeric_limits<double>::infinity();
   for (const int node : surface.nodes) {
-    const double squared = (mesh.nodes[static_cast<std::size_t>(node)] - place).squaredNorm();
+    const Vec3& here = mesh.nodes[static_cast<std::size_t>(node)];
+    lower = lower.cwiseMin(here);
+    upper = upper.cwiseMax(here);
+    const double squared = (here - place).squaredNorm();
     if (squared < least) {
       least = squared;
       nearest = node;
     }
   }
+  const double size = (upper - lower).norm();
+  if (!(std::sqrt(least) <= size))
+    refuse(spec,
+           fmt::format("at: is {:g} m away from {}, which is {:g} m across; accepted: a place at its surface",
+                       (0.5 * (lower + upper) - place).stableNorm(), spec.body, size));
   return nearest;
 }
 
@@ -95,8 +109,8 @@ void footprint(const Model& model, Pose pose, ProbeRows& rows) {
 void place_probe(const ProbeSpec& spec, const TetMesh& mesh, const Surface& surface,
                  const std::vector<int>& fixed, Probe& probe) {
   const auto* tag = std::get_if<std::int64_t>(&spec.at);
-  const int middle =
-      tag ? node_of_tag(spec, mesh, *tag) : nearest_surface_node(mesh, surface, std::get<Vec3>(spec.at));
+  const int middle = tag ? node_of_tag(spec, mesh, *tag)
+                         : nearest_surface_node(spec, mesh, surface, std::get<Vec3>(spec.at));
   if (!std::ranges::binary_search(surface.nodes, middle))
     refuse(spec, fmt::format("node {} lies inside {}; accepted: a node of its surface", *tag, spec.body));
   if (spec.kind == ProbeKind::Pad) {

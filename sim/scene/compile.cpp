@@ -17,7 +17,8 @@
 namespace palpate::sim {
 namespace {
 
-constexpr int kMostTouchableNodes = 1000;  // a dense factor over all of them takes 72 MB
+constexpr double kLeastBody = 1e-6, kFarthest = 1e9;  // [m] across, and from the origin
+constexpr int kMostTouchableNodes = 1000;             // a dense factor over all of them takes 72 MB
 
 std::vector<std::string> group_names(const TetMesh& mesh) {
   std::vector<std::string> names;
@@ -50,17 +51,42 @@ std::vector<int> select(const TetMesh& mesh, const NodeSelection& selection, con
   return nodes;
 }
 
+/// A body that scale, offset or rotate have taken to where numbers have no meaning left.
+void refuse_misplaced(const BodySpec& spec, const TetMesh& mesh) {
+  Vec3 lower = mesh.nodes.front(), upper = lower;
+  for (const Vec3& node : mesh.nodes) {
+    if (!(node.cwiseAbs().maxCoeff() <= kFarthest))
+      refuse_key(
+          fmt::format("bodies.{}", spec.name),
+          fmt::format("scale, offset or rotate put it at ({:g}, {:g}, {:g}) m; accepted: up to {:g} m from "
+                      "the origin",
+                      node.x(), node.y(), node.z(), kFarthest));
+    lower = lower.cwiseMin(node);
+    upper = upper.cwiseMax(node);
+  }
+  if (const double across = (upper - lower).norm(); across < kLeastBody)
+    refuse_key(fmt::format("bodies.{}", spec.name),
+               fmt::format("is {:g} m across; accepted: {:g} m or more; look at length_unit and scale",
+                           across, kLeastBody));
+}
+
 TetMesh read_placed(const BodySpec& spec) {
-  TetMesh mesh = read_mesh(spec.mesh, spec.metres_per_unit).mesh;
+  TetMesh mesh;
+  try {
+    mesh = read_mesh(spec.mesh, spec.metres_per_unit).mesh;
+  } catch (const std::invalid_argument& error) {
+    refuse_key(fmt::format("bodies.{}.mesh", spec.name), error.what());
+  }
   try {
     validate(mesh);
   } catch (const std::invalid_argument& error) {
-    refuse_key(spec.mesh.string(), error.what());
+    refuse_key(fmt::format("bodies.{}.mesh: {}", spec.name, spec.mesh.string()), error.what());
   }
   const double angle = spec.rotate.norm();
   const Eigen::Matrix3d turn = angle > 0.0 ? Eigen::AngleAxisd(angle, spec.rotate / angle).toRotationMatrix()
                                            : Eigen::Matrix3d::Identity();
   for (Vec3& node : mesh.nodes) node = turn * (spec.scale * node) + spec.offset;
+  refuse_misplaced(spec, mesh);
   return mesh;
 }
 
@@ -138,6 +164,18 @@ void refuse_too_many(const BodySpec& spec, std::size_t touched) {
                            kMostTouchableNodes));
 }
 
+/// A node can follow one probe only.
+void refuse_shared_node(const ProbeSpec& spec, const Probe& probe, const std::vector<Probe>& others,
+                        const TetMesh& mesh) {
+  for (const Probe& other : others)
+    for (const int node : probe.nodes)
+      if (std::ranges::find(other.nodes, node) != other.nodes.end())
+        refuse_key(
+            "probes." + spec.name,
+            fmt::format("holds node {} of {}, and so does probes.{}; accepted: probes apart from each other",
+                        mesh.node_tags[static_cast<std::size_t>(node)], spec.body, other.name));
+}
+
 /// @param probes  of this body, their nodes as mesh nodes
 Body compile_body(const BodySpec& spec, TetMesh placed, const std::vector<const ProbeSpec*>& probe_specs,
                   std::vector<Probe>& probes, ComplianceCache& cache) {
@@ -152,6 +190,7 @@ Body compile_body(const BodySpec& spec, TetMesh placed, const std::vector<const 
   for (const ProbeSpec* probe_spec : probe_specs) {
     Probe probe{.name = probe_spec->name};
     place_probe(*probe_spec, *body.mesh, *body.surface, body.fixed, probe);
+    refuse_shared_node(*probe_spec, probe, probes, *body.mesh);
     touched.insert(touched.end(), probe.nodes.begin(), probe.nodes.end());
     probes.push_back(std::move(probe));
   }
@@ -221,9 +260,7 @@ void refuse_overlap(const Body& a, const Body& b) {
                     a.name, b.name, 1e3 * overlap));
 }
 
-}  // namespace
-
-Model compile(const Scene& scene, ComplianceCache& cache) {
+Model compile_all(const Scene& scene, ComplianceCache& cache) {
   Model model{.scene = scene.name, .law = scene.contact.model};
   model.probes.resize(scene.probes.size());
   for (const BodySpec& spec : scene.bodies) {
@@ -254,6 +291,16 @@ Model compile(const Scene& scene, ComplianceCache& cache) {
         {{static_cast<int>(a - model.bodies.begin()), static_cast<int>(b - model.bodies.begin())}});
   }
   return model;
+}
+
+}  // namespace
+
+Model compile(const Scene& scene, ComplianceCache& cache) {
+  try {
+    return compile_all(scene, cache);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("{}: {}", scene.file.string(), error.what()));
+  }
 }
 
 }  // namespace palpate::sim

@@ -1,6 +1,9 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "sim/io/toml_reader.hpp"
 #include "sim/scene/scene.hpp"
@@ -18,12 +21,27 @@ toml::table parse_override(const Override& change) {
   }
 }
 
+/// An override changes bodies and probes; it makes none, and a slip in a name is not to look like one.
+void refuse_invented(const toml::table& root, std::string_view key, std::string_view name) {
+  for (const auto& [kind, singular] : {std::pair{"bodies", "body"}, std::pair{"probes", "probe"}}) {
+    if (key.substr(0, key.find(name)) != fmt::format("{}.", kind)) continue;
+    std::vector<std::string_view> known;
+    if (const toml::table* all = root[kind].as_table())
+      for (const auto& entry : *all) known.push_back(entry.first.str());
+    throw std::invalid_argument(fmt::format("{}: \"{}\" is no {} of this scene; accepted: {}", key, name,
+                                            singular, fmt::join(known, ", ")));
+  }
+}
+
 void apply(toml::table& root, const Override& change) {
   toml::table* table = &root;
   std::string_view key = change.key;
   for (auto dot = key.find('.'); dot != std::string_view::npos; dot = key.find('.')) {
     const std::string_view name = key.substr(0, dot);
-    if (!table->contains(name)) table->insert(name, toml::table{});
+    if (!table->contains(name)) {
+      refuse_invented(root, change.key, name);
+      table->insert(name, toml::table{});
+    }
     table = table->get(name)->as_table();
     if (!table)
       throw std::invalid_argument(fmt::format("{}: \"{}\" is a value and has no parts", change.key, name));
@@ -150,9 +168,9 @@ ProbeSpec read_probe(TomlReader& reader, const std::string& name) {
     probe.at = *at;
   reader.required("direction", "accepted: three numbers such as [0, 0, 1]");
   probe.direction = *reader.vector_number("direction");
-  if (!probe.direction.allFinite() || probe.direction.norm() == 0.0)
+  if (!probe.direction.allFinite() || probe.direction.stableNorm() == 0.0)
     reader.refuse("direction", "has no length; accepted: three numbers, not all 0");
-  probe.direction.normalize();
+  probe.direction.stableNormalize();
   probe.depth = reader.required_quantity("depth", Dimension::Length, "\"5 mm\"");
   probe.radius = reader.quantity("radius", Dimension::Length).value_or(0.0);
   if ((probe.kind == ProbeKind::Pad) != (probe.radius > 0.0))

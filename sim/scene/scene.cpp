@@ -48,6 +48,12 @@ void validate_touch(const Scene& scene) {
     if (pair[0] == pair[1])
       refuse_key("contact.touch",
                  fmt::format("\"{}\" touches itself; accepted: two different bodies", pair[0]));
+    const auto same = [&](const auto& other) {
+      return other == pair || (other[0] == pair[1] && other[1] == pair[0]);
+    };
+    if (std::ranges::count_if(scene.contact.touch, same) > 1)
+      refuse_key("contact.touch",
+                 fmt::format("names \"{}\" and \"{}\" twice; accepted: each pair once", pair[0], pair[1]));
   }
 }
 

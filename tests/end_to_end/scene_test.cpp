@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -22,6 +23,7 @@ using test::run;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 using trials::test::read;
 using trials::test::TemporaryFolder;
@@ -119,8 +121,40 @@ TEST_F(SceneCommands, RenderWritesAPicture) {
 
 TEST_F(SceneCommands, CheckKnowsScenesProtocolsAndMeshes) {
   EXPECT_THAT(run({"check", kScene}).out, HasSubstr("contact"));
-  EXPECT_THAT(run({"check", kStudy}).out, HasSubstr("37 or more correct of 60"));
+  EXPECT_THAT(run({"check", kStudy}).out, HasSubstr("37 or more correct reject guessing of 60 in a cell"));
   EXPECT_THAT(run({"check", kSource + "/data/meshes/rectum.msh", "--unit", "m"}).out, HasSubstr("282"));
+}
+
+TEST_F(SceneCommands, CheckWarnsOfWhatMisleads) {
+  EXPECT_THAT(run({"check", kScene}).out, Not(HasSubstr("warning")));
+  EXPECT_THAT(run({"check", kScene, "--set", "bodies.prostate.poisson_ratio=0.49"}).out,
+              HasSubstr("warning: poisson_ratio 0.49: linear tetrahedra lock"));
+  EXPECT_THAT(run({"check", kScene, "--set", "probes.finger.depth=\"2 m\""}).out,
+              HasSubstr("warning: probes.finger presses 2000 mm deep into a body"));
+}
+
+// The looks of the sequential study, and its last number, are R's:
+//   alpha spent by O'Brien-Fleming's function at 1/3, 2/3, 1 over exact binomial sums; see
+//   planned_looks_test.cpp
+TEST_F(SceneCommands, CheckAndPlanTellTheSameNumbers) {
+  const std::string looks = run({"check", kSource + "/protocols/kuroda2003-sequential.toml"}).out;
+  EXPECT_THAT(looks, AllOf(HasSubstr("at 10 examinees: 31 or more"), HasSubstr("at 20 examinees: 51 or more"),
+                           HasSubstr("at 30 examinees: 70 or more"), HasSubstr("(size by then 0.0434)")));
+  const std::string balanced = run({"check", kSource + "/protocols/kuroda2003-balanced.toml"}).out;
+  EXPECT_THAT(balanced, AllOf(HasSubstr("critical value  depends on"), HasSubstr("10000 simulated studies")));
+}
+
+TEST_F(SceneCommands, ADirectionIsADirectionHoweverLong) {
+  const json once = as_json({"press", kScene, "--steps", "1"});
+  const json huge =
+      as_json({"press", kScene, "--steps", "1", "--set", "probes.finger.direction=[0,0,1e200]"});
+  EXPECT_EQ(once["curve"][0]["force"], huge["curve"][0]["force"]);
+}
+
+TEST_F(SceneCommands, AResultThatCannotBeWrittenIsNoSuccess) {
+  const std::string command = std::string(PALPATE_PROGRAM) + " stats binomial --correct 41 --trials 60 ";
+  EXPECT_EQ(WEXITSTATUS(std::system((command + ">/dev/full 2>/dev/null").c_str())), 3);
+  EXPECT_EQ(WEXITSTATUS(std::system((command + ">/dev/null").c_str())), 0);
 }
 
 // What is wrong, and where: the message names the option, the key or the file.
@@ -136,6 +170,16 @@ TEST_F(SceneCommands, SaysWhatIsWrong) {
       {{"press", kStudy, "--model", "none"}, {"kuroda2003.toml", "--model", "protocol"}},
       {{"press", kStudy, "--save", file("state")}, {"--save", "protocol"}},
       {{"press", kScene, "--set", "bodies.prostate.poisson_ratio=0.5"}, {"poisson_ratio", "0.5"}},
+      {{"press", kScene, "--set", "probes.finger.at=[\"1e155 m\",\"0 m\",\"0 m\"]"},
+       {"probes.finger: at: is 1e+155 m away from rectum", "a place at its surface"}},
+      {{"press", kScene, "--set", "bodies.prostate.scale=1e160"}, {"bodies.prostate", "from the origin"}},
+      {{"press", kScene, "--set", "bodies.prostate.scale=1e-9"}, {"bodies.prostate", "m across"}},
+      {{"press", kScene, "--set", "bodies.prostrate.scale=2"},
+       {"\"prostrate\" is no body of this scene", "prostate, rectum"}},
+      {{"check", "/dev/zero"}, {"/dev/zero", "is a device"}},
+      {{"mesh", kSource + "/data/meshes/rectum.msh", "--unit", "mm", "--out",
+        kSource + "/data/meshes/rectum.msh"},
+       {"--out", "the mesh itself"}},
   };
   for (const auto& [arguments, parts] : cases) {
     const Outcome outcome = run(arguments);
