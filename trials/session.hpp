@@ -80,7 +80,8 @@ class Session {
   std::unique_ptr<State> state_;
 };
 
-/// Refuses what start_session() would refuse, and writes nothing; also runs check_study(). Throws
+/// Refuses what start_session() would refuse, and writes nothing; also runs check_study(), and
+/// require_whole() where there is a file. Throws
 /// std::invalid_argument: a code that is no code (1 to 32 letters, digits, hyphens), one near to another
 /// examinee's (P1 against P01 or p01), a finished examinee without `new_session`, an unfinished sitting of
 /// another seed or observer.

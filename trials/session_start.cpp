@@ -98,7 +98,9 @@ void check_start(const std::filesystem::path& path, const Protocol& protocol, co
                  bool new_session) {
   check_examinee_code(facts.examinee);
   check_study(path, protocol);
-  if (std::filesystem::exists(path)) check_against(read_study(path).sessions(), facts, new_session);
+  if (!std::filesystem::exists(path)) return;
+  require_whole(path);
+  check_against(read_study(path).sessions(), facts, new_session);
 }
 
 Session start_session(StudyFile& study, const Protocol& protocol, const SessionFacts& facts,

@@ -161,6 +161,7 @@ void check_simulation(const std::filesystem::path& path, const Protocol& protoco
   check_observer(protocol, plan.observer);
   check_study(path, protocol);
   if (!std::filesystem::exists(path)) return;
+  require_whole(path);
   const std::vector<SessionRow> sessions = read_study(path).sessions();
   check_same_population(sessions, plan);
   std::vector<std::string> known;

@@ -104,6 +104,42 @@ TEST_F(VerifyTest, AMissingGuardIsFound) {
   EXPECT_THAT(problems(), Contains(HasSubstr("trigger answer_refuses_UPDATE is missing")));
 }
 
+TEST_F(VerifyTest, AMissingTableIsAProblemAndNoException) {
+  ASSERT_EQ(test::sql(path_, "DROP TABLE trace"), "");
+  EXPECT_THAT(problems(), Contains(HasSubstr("schema: table trace is missing")));
+  ASSERT_EQ(test::sql(path_, "PRAGMA foreign_keys = OFF; DROP TABLE study"), "");
+  EXPECT_THAT(problems(), Contains(HasSubstr("schema: table study is missing")));
+}
+
+TEST_F(VerifyTest, AProtocolThatCannotBeReadIsAProblemAndNoException) {
+  tamper("UPDATE study SET protocol_text = 'no [ TOML'");
+  EXPECT_THAT(problems(), Contains(HasSubstr("the protocol's text does not have the hash")));
+  EXPECT_THAT(problems(), Contains(HasSubstr("the rest was not looked at")));
+}
+
+TEST_F(VerifyTest, ASeedThatIsNoNumberIsAProblemAndNoException) {
+  tamper("UPDATE session SET seed = 'x'");
+  EXPECT_THAT(problems(), Contains(HasSubstr("a sitting has the seed \"x\"")));
+}
+
+TEST_F(VerifyTest, AnswersAreLookedAtWithoutTraces) {
+  tamper("UPDATE trace SET columns = zeroblob(100) WHERE presentation = 3");
+  EXPECT_THAT(verify_study(path_, {}, VerifyScope::Answers).problems, IsEmpty());
+  EXPECT_NO_THROW(require_whole(path_));
+}
+
+TEST_F(VerifyTest, AFileThatIsNotWholeIsNotGoneOnWith) {
+  EXPECT_NO_THROW(check_start(path_, protocol_, test::facts_of("P02"), false));
+  tamper("UPDATE answer SET response = 3 - response, correct = 1 - correct WHERE trial = 2");
+  const std::string said = test::message_of<std::invalid_argument>([&] { require_whole(path_); });
+  EXPECT_THAT(said,
+              HasSubstr(path_.string() + ": the study file is not whole (1 problem; the first: chain: "));
+  EXPECT_THAT(said, HasSubstr("; `palpate verify " + path_.string() + "` lists them"));
+  EXPECT_EQ(test::message_of<std::invalid_argument>(
+                [&] { check_start(path_, protocol_, test::facts_of("P02"), false); }),
+            said);
+}
+
 // Who cuts back the whole end of the chain leaves a file that fits together: only the receipt tells.
 TEST_F(VerifyTest, ACutBackFileIsFoundByTheReceipt) {
   tamper("DELETE FROM event WHERE kind = 'session ended'");

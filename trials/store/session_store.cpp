@@ -2,7 +2,22 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+#include <stdexcept>
+
 namespace palpate::trials {
+namespace {
+
+std::uint64_t seed_from(const std::string& text) {
+  std::uint64_t seed = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), seed);
+  if (read.ec != std::errc() || read.ptr != text.data() + text.size())
+    throw std::invalid_argument(
+        fmt::format("the study file is damaged: a sitting has the seed \"{}\"", text));
+  return seed;
+}
+
+}  // namespace
 
 std::int64_t SessionStore::add(const SessionRow& session) {
   const SessionFacts& facts = session.facts;
@@ -39,7 +54,7 @@ std::vector<SessionRow> SessionStore::all() const {
                      .force_scale = rows.real(12),
                      .seed = {},
                      .observer = rows.optional_text(11)};
-    if (const auto seed = rows.optional_text(10)) session.facts.seed = std::stoull(*seed);
+    if (const auto seed = rows.optional_text(10)) session.facts.seed = seed_from(*seed);
     session.started_utc = rows.text(4);
     session.ended_utc = rows.optional_text(13);
     session.times_resumed = rows.number(14);
