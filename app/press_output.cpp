@@ -14,18 +14,6 @@ ordered_json vector_json(const sim::Vec3& v) {
   return {v[0], v[1], v[2]};
 }
 
-std::string_view stop_name(sim::Stop stop) {
-  switch (stop) {
-    case sim::Stop::Converged:
-      return "converged";
-    case sim::Stop::IterationLimit:
-      return "iteration limit";
-    case sim::Stop::SingularMatrix:
-      return "singular matrix";
-  }
-  return "";
-}
-
 ordered_json bodies_json(const sim::Model& model) {
   ordered_json bodies;
   for (const sim::Body& body : model.bodies) {
@@ -63,7 +51,7 @@ ordered_json step_json(const sim::Model& model, const sim::PressStep& step) {
           {"probes", probes},
           {"pairs", pairs},
           {"solve",
-           {{"stop", stop_name(step.solve.stop)},
+           {{"stop", sim::to_string(step.solve.stop)},
             {"iterations", step.solve.iterations},
             {"residual", step.solve.residual}}}};
 }

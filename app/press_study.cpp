@@ -23,6 +23,7 @@ std::vector<PressedStimulus> press_study(const trials::Protocol& protocol, std::
   for (const trials::Stimulus& stimulus : protocol.stimuli) {
     sim::Model model = trials::compile_stimulus(protocol, stimulus, cache);
     sim::Press press = sim::press(model, depth.value_or(model.probes.front().depth), steps);
+    sim::require_solved(press);
     pressed.push_back({.cell = protocol.cells[stimulus.cell].name,
                        .condition = protocol.conditions[stimulus.condition].name,
                        .model = std::move(model),

@@ -47,6 +47,14 @@ std::string examinees(const std::optional<SampleSize>& size, bool lasting, long 
   return trials ? std::to_string(*trials / each) : "more than asked";
 }
 
+std::string region(const CriticalNumber& critical) {
+  std::string text;
+  if (critical.at_least) text += fmt::format("{} or more correct reject guessing", *critical.at_least);
+  if (critical.at_least && critical.at_most) text += ", and ";
+  if (critical.at_most) text += fmt::format("{} or fewer correct reject guessing", *critical.at_most);
+  return text.empty() ? "no number of correct answers rejects guessing" : text;
+}
+
 std::string regions_in_words(const StudyPlan& plan) {
   std::string text;
   const long each = plan.protocol.trials_per_examinee_per_cell;
@@ -153,14 +161,6 @@ void refuse_if_late(const trials::StudyFile& study) {
 }
 
 }  // namespace
-
-std::string region(const CriticalNumber& critical) {
-  std::string text;
-  if (critical.at_least) text += fmt::format("{} or more correct reject guessing", *critical.at_least);
-  if (critical.at_least && critical.at_most) text += ", and ";
-  if (critical.at_most) text += fmt::format("{} or fewer correct reject guessing", *critical.at_most);
-  return text.empty() ? "no number of correct answers rejects guessing" : text;
-}
 
 StudyPlan planned_regions(const trials::Protocol& protocol) {
   StudyPlan plan{.protocol = protocol};

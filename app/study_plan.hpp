@@ -37,8 +37,6 @@ StudyPlan planned_regions(const trials::Protocol& protocol);
 StudyPlan study_plan(const trials::Protocol& protocol, double overdispersion);
 
 std::string in_words(const StudyPlan& plan);
-/// "37 or more correct reject guessing"
-std::string region(const analysis::CriticalNumber& critical);
 nlohmann::ordered_json to_json(const StudyPlan& plan);
 
 /// Writes the analysis plan (protocol, test, alpha, side, looks, sample, program version) into the study file

@@ -59,7 +59,8 @@ struct BodyCheck {
   std::size_t fixed = 0, can_collide = 0;
 };
 
-constexpr double kLocking = 0.45;  // Poisson's ratio from which on locking shows
+constexpr double kLocking = 0.45;     // Poisson's ratio from which on locking shows
+constexpr std::size_t kPadNodes = 3;  // fewer are no area
 
 struct SceneCheck {
   std::string name;
@@ -70,7 +71,7 @@ struct SceneCheck {
 };
 
 /// What can be computed and will mislead.
-void add_warnings(const sim::Model& model, std::vector<BodyCheck>& checks) {
+void add_warnings(const sim::Scene& scene, const sim::Model& model, std::vector<BodyCheck>& checks) {
   for (std::size_t i = 0; i < checks.size(); ++i) {
     sim::MeshQuality& quality = checks[i].quality;
     for (const sim::Material& material : model.bodies[i].materials)
@@ -82,10 +83,18 @@ void add_warnings(const sim::Model& model, std::vector<BodyCheck>& checks) {
         break;
       }
     const double size = (quality.upper - quality.lower).norm();
-    for (const int probe : model.bodies[i].probes)
-      if (const sim::Probe& finger = model.probes[static_cast<std::size_t>(probe)]; finger.depth > size)
+    for (const int at : model.bodies[i].probes) {
+      const auto probe = static_cast<std::size_t>(at);
+      const sim::Probe& finger = model.probes[probe];
+      if (finger.depth > size)
         quality.warnings.push_back(fmt::format("probes.{} presses {:g} mm deep into a body {:g} mm across",
                                                finger.name, 1e3 * finger.depth, 1e3 * size));
+      if (scene.probes[probe].kind == sim::ProbeKind::Pad && finger.nodes.size() < kPadNodes)
+        quality.warnings.push_back(fmt::format(
+            "probes.{}: its radius reaches no more than {} of the mesh, so that the pad acts as a "
+            "point; accepted without warning: a radius of two edges or more",
+            finger.name, analysis::counted(static_cast<long>(finger.nodes.size()), "node", "nodes")));
+    }
   }
 }
 
@@ -93,11 +102,12 @@ SceneCheck check_scene(const SceneOptions& input) {
   const sim::Scene scene = load_scene(input);
   sim::ComplianceCache cache = user_cache();
   sim::Model model = sim::compile(scene, cache);
+  sim::require_solved(sim::press(model, model.probes.front().depth, 1));
   SceneCheck check{.name = scene.name, .effects = sim::effects_of(scene)};
   for (const sim::Body& body : model.bodies)
     check.bodies.push_back(
         {body.name, sim::measure_quality(*body.mesh), body.fixed.size(), body.colliding_nodes.size()});
-  add_warnings(model, check.bodies);
+  add_warnings(scene, model, check.bodies);
   const double whole = median_cycle_us(model);
   model.law = sim::ContactModel::None;
   check.deformation_us = median_cycle_us(model);
@@ -176,17 +186,28 @@ ProtocolCheck check_protocol(const std::string& file) {
   return check;
 }
 
+/// "37 or more correct of 60 in a cell"
+std::string region_in_words(const analysis::CriticalNumber& critical) {
+  std::string numbers;
+  if (critical.at_least) numbers += fmt::format("{} or more", *critical.at_least);
+  if (critical.at_least && critical.at_most) numbers += ", or ";
+  if (critical.at_most) numbers += fmt::format("{} or fewer", *critical.at_most);
+  if (numbers.empty())
+    return fmt::format("none: {} trials in a cell are too few to reject guessing", critical.trials);
+  return fmt::format("{} correct of {} in a cell", numbers, critical.trials);
+}
+
 void print_regions(const ProtocolCheck& check) {
   const StudyPlan& regions = check.regions;
   if (!regions.critical)
     fmt::print("  critical value  depends on how often either interval is answered; it is in the report\n");
   else if (regions.looks.empty())
-    fmt::print("  critical value  {} of {} in a cell (size {:.4f})\n", region(*regions.critical),
-               regions.critical->trials, regions.critical->size);
+    fmt::print("  critical value  {} (size {:.4f})\n", region_in_words(*regions.critical),
+               regions.critical->size);
   for (const analysis::PlannedLook& look : regions.looks)
-    fmt::print("  critical value  at {} examinees: {} of {} in a cell (size by then {:.4f})\n",
-               look.critical.trials / check.protocol.trials_per_examinee_per_cell, region(look.critical),
-               look.critical.trials, look.size);
+    fmt::print("  critical value  at {} examinees: {} (size by then {:.4f})\n",
+               look.critical.trials / check.protocol.trials_per_examinee_per_cell,
+               region_in_words(look.critical), look.size);
 }
 
 void print_text(const ProtocolCheck& check) {

@@ -20,6 +20,7 @@ struct ExportOptions {
 };
 
 void run_export(const ExportOptions& options) {
+  trials::require_whole(options.study);
   const trials::StudyFile study = trials::read_study(options.study);
   trials::ExportFacts facts{
       .authors = options.authors, .software_version = PALPATE_VERSION, .exported_utc = trials::utc_now()};

@@ -55,6 +55,7 @@ void press_scene(const PressOptions& options, std::optional<double> depth) {
   sim::ComplianceCache cache = user_cache();
   const sim::Model model = sim::compile(load_scene(options.scene), cache);
   const sim::Press press = sim::press(model, depth.value_or(model.probes.front().depth), options.steps);
+  sim::require_solved(press);
   if (options.format == "json")
     fmt::print("{}\n", press_json(model, press).dump(1));
   else

@@ -48,6 +48,7 @@ void check_page(const ReportOptions& options) {
 
 void run_report(const ReportOptions& options) {
   check_page(options);
+  trials::require_whole(options.study);
   analysis::ReportOptions asked{
       .interim = options.interim, .software_version = PALPATE_VERSION, .written_utc = trials::utc_now()};
   if (!options.run_mode.empty()) asked.run_mode = options.run_mode;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sim/cycle/press.hpp"
 
@@ -40,6 +41,7 @@ double IntervalEngine::probe_force() {
   const sim::Probe& finger = model_->probes.front();
   pose_.front().displacement = probe_.depth * finger.direction;
   const sim::CycleResult result = sim::cycle(*model_, {}, pose_, scratch_);
+  if (result.solve.stop != sim::Stop::Converged) return std::numeric_limits<double>::quiet_NaN();
   force_on_finger_ = result.probe_forces.front();
   return sim::normal_force(finger, force_on_finger_);
 }
@@ -56,14 +58,13 @@ void IntervalEngine::tick(const HandInput& hand, int elapsed) {
   if (state_.over) return;
   if (hand.known && plausible(hand.depth) && hand.depth <= 0) state_.begun = true;
   const double force = probe_force();
-  const double step = elapsed * kCycleSeconds;
   const double delivered = guard_force(guard_, kGuardTimes, !hand.known || plausible(hand.depth), hand.age,
-                                       force, kLargestForce, step);
-  const double share = force == 0 ? 0.0 : delivered / force;
-  if (state_.begun) record(std::isfinite(share) ? sim::Vec3(share * force_on_finger_) : sim::Vec3::Zero());
+                                       force, kLargestForce, elapsed * kCycleSeconds);
+  if (guard_.fault == Fault::None) sound_force_on_finger_ = force_on_finger_;
+  if (state_.begun) record(guard_.gain * sound_force_on_finger_);
   judge_progress();
 
-  follow_hand(coupling_, probe_, target(hand), std::isfinite(force) ? force : 0.0, step);
+  follow_hand(coupling_, probe_, target(hand), std::isfinite(force) ? force : 0.0, kCycleSeconds);
   if (state_.begun) state_.tick += static_cast<std::uint32_t>(elapsed);
   state_.hand = probe_.hand;
   state_.depth = probe_.depth;

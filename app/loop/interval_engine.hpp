@@ -46,8 +46,9 @@ class IntervalEngine {
   IntervalEngine(const sim::Model& model, const IntervalLimits& limits,
                  const PseudoHapticCoupling& coupling = {});
 
-  /// One wake-up of the loop. The force is computed once, then the probe moves on by `elapsed` cycles (more
-  /// than one where cycles were missed).
+  /// One wake-up of the loop: the force is computed once, and the probe moves on by one cycle. `elapsed`
+  /// cycles have passed (more than one where cycles were missed): time counts them, and a force that falls
+  /// falls by them, but nothing catches up, which would be felt as a kick.
   void tick(const HandInput& hand, int elapsed = 1);
 
   // Not while another thread ticks.
@@ -67,6 +68,7 @@ class IntervalEngine {
   sim::Scratch scratch_;
   std::vector<sim::ProbePose> pose_;
   sim::Vec3 force_on_finger_ = sim::Vec3::Zero();
+  sim::Vec3 sound_force_on_finger_ = sim::Vec3::Zero();  // the last one before a fault
   DrivenProbe probe_{};
   ForceGuard guard_{};
   trials::PressCounter presses_{};

@@ -23,8 +23,10 @@ struct DrivenProbe {
 
 /// Moves the hand towards `target` and the probe by one step of tau x' = (h - x) - F(x)/k_c, whose rest
 /// point is the spring's equilibrium k_c (h - x) = F(x). The step is implicit in the tissue's stiffness, for
-/// which the larger of the secants to rest and to the last depth is taken: with K the tissue's stiffness an
-/// error shrinks by 1/(1 + (dt/tau)(1 + K/k_c)) a step, which is below 1 for every K >= 0, however stiff.
+/// which the larger of the secants to rest and to the last depth is taken: with K that stiffness an
+/// error shrinks by 1/(1 + (dt/tau)(1 + K/k_c)) a step, which is below 1 for every K >= 0, as long as the
+/// tissue is no stiffer ahead than K; where it stiffens at once (a second body is met), one step may go too
+/// far.
 /// @param target  where the hand is [m]
 /// @param force   F at probe.depth, against the press [N]
 /// @param step    dt [s]

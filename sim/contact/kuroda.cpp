@@ -1,5 +1,6 @@
+#include <algorithm>
 #include <cmath>
-#include <limits>
+#include <optional>
 
 #include "sim/contact/laws.hpp"
 
@@ -16,10 +17,11 @@ Vec3 temporary_displacement(const CollidingPair& pair) {
 
 /// The polygon of A beside node a that faces S most squarely; of two alike the lower number.
 int adjacent_polygon(const Body& body, const BodyMotion& motion, int node, const Vec3& normal_of_s) {
-  int adjacent = -1;
-  double least = std::numeric_limits<double>::infinity();
   const auto at = static_cast<std::size_t>(node);
-  for (int i = body.polygons.incident_begin[at]; i < body.polygons.incident_begin[at + 1]; ++i) {
+  const int first = body.polygons.incident_begin[at];
+  int adjacent = body.polygons.incident[static_cast<std::size_t>(first)];
+  double least = polygon_normal(body, motion, adjacent).dot(normal_of_s);
+  for (int i = first + 1; i < body.polygons.incident_begin[at + 1]; ++i) {
     const int polygon = body.polygons.incident[static_cast<std::size_t>(i)];
     const double alignment = polygon_normal(body, motion, polygon).dot(normal_of_s);
     if (alignment < least) {
@@ -59,11 +61,11 @@ bool deform_temporarily(const Model& model, Scratch::Buffers& buffers) {
   for (std::size_t i = 0; i < model.bodies.size(); ++i) {
     BodyBuffers& body = buffers.bodies[i];
     body.temporary_claims.sort();
+    body.temporary_forces.setZero();
     if (body.temporary_claims.nodes.empty()) continue;
     if (!body.temporary.factor(buffers.rows, body.temporary_claims.nodes)) return false;
     const auto multipliers = body.temporary.solve(nullptr, body.temporary_claims.displacement);
     const double* force = multipliers.data() + body.temporary.probe_rows();
-    body.temporary_forces.setZero();
     for (const int node : body.temporary_claims.nodes) {
       body.temporary_forces.segment<3>(3 * node) =
           model.bodies[i].young_modulus * Vec3(force[0], force[1], force[2]);
@@ -91,15 +93,36 @@ PairShare share_of(const Model& model, const Scratch::Buffers& buffers, const Co
           .node_force = surface_force(model, buffers, pair.node_body, beside)};
 }
 
+bool is_held(const Scratch::Buffers& buffers, int body, int node) {
+  return buffers.bodies[static_cast<std::size_t>(body)].actual_claims.held[static_cast<std::size_t>(node)] !=
+         0;
+}
+
+/// The part of u_temp that the node gives way by: |f_B| / (|f_A| + |f_B|) of equation (3). What a probe holds
+/// cannot give way at all, and leaves everything to the other side. Nothing where neither can.
+std::optional<double> share_of_node(const Model& model, const Scratch::Buffers& buffers,
+                                    const CollidingPair& pair, const PairShare& share) {
+  const auto& corners = model.bodies[static_cast<std::size_t>(pair.polygon_body)]
+                            .polygons.triangles[static_cast<std::size_t>(pair.polygon)];
+  const bool node_held = is_held(buffers, pair.node_body, pair.node);
+  const bool polygon_held =
+      std::ranges::all_of(corners, [&](int corner) { return is_held(buffers, pair.polygon_body, corner); });
+  if (node_held && polygon_held) return std::nullopt;
+  if (node_held) return 0.0;
+  if (polygon_held) return 1.0;
+  const double sum = share.polygon_force + share.node_force;
+  return sum > 0.0 ? std::optional(share.polygon_force / sum) : std::nullopt;
+}
+
 /// Equations (3) and (4): the node gives way by the polygon's share of the resistance, the polygon by the
 /// node's.
 void ask_actual(const Model& model, Scratch::Buffers& buffers, const CollidingPair& pair,
                 const PairShare& share) {
   const Vec3 u_temp = temporary_displacement(pair);
-  const double sum = share.polygon_force + share.node_force;
-  if (!(sum > 0.0)) return;  // every corner is held by a probe: nothing here can give way
-  const Vec3 u_a = -(share.polygon_force / sum) * u_temp;
-  const Vec3 u_b = (share.node_force / sum) * u_temp;
+  const std::optional<double> node_share = share_of_node(model, buffers, pair, share);
+  if (!node_share) return;
+  const Vec3 u_a = -*node_share * u_temp;
+  const Vec3 u_b = (1.0 - *node_share) * u_temp;
   buffers.bodies[static_cast<std::size_t>(pair.node_body)].actual_claims.ask(pair.node, u_a, pair.touch_pair);
   ask_polygon(buffers, &BodyBuffers::actual_claims, model, pair.polygon_body, pair.polygon, u_b,
               pair.touch_pair);

@@ -37,7 +37,7 @@ class PrescribedSolve {
   /// All storage is taken here. @param model  outlives the solve
   PrescribedSolve(const Model& model, int body);
 
-  /// @return false when C_DD is not positive definite to round-off
+  /// @return false when a pivot of C_DD is not positive
   bool factor(const ProbeRows& probes, std::span<const int> nodes);
 
   /// Multipliers for E = 1 Pa, in the order of rows(): probe axes first, then x y z of each node.

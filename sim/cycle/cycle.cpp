@@ -8,13 +8,12 @@
 namespace palpate::sim {
 namespace {
 
-/// Empties what a cycle writes. A body at rest keeps its positions and its tree.
+/// Empties what a cycle writes.
 void start(Scratch::Buffers& buffers) {
   buffers.pairs.clear();
   buffers.shares.clear();
   for (auto& forces : buffers.loads.on_body) forces.setZero();
   for (auto& displacement : buffers.displacement) displacement.setZero();
-  for (BodyMotion& body : buffers.free_motion) body.moved = false;
   std::ranges::fill(buffers.probe_forces, Vec3(Vec3::Zero()));
   std::ranges::fill(buffers.summaries, PairSummary{});
   for (BodyBuffers& body : buffers.bodies) {
@@ -44,12 +43,36 @@ SolveReport touch(const Model& model, Scratch::Buffers& buffers) {
   return law.stop == Stop::Converged ? apply_claims(model, buffers) : law;
 }
 
-CycleResult result(Scratch::Buffers& buffers, const SolveReport& report) {
+/// A cycle that failed delivers nothing: half a result would be felt as another contact model.
+CycleResult result(Scratch::Buffers& buffers, SolveReport report) {
+  const bool finite = std::ranges::all_of(buffers.probe_forces, [](const Vec3& f) { return f.allFinite(); });
+  if (report.stop == Stop::Converged && !finite) report.stop = Stop::NotFinite;
+  if (report.stop != Stop::Converged) start(buffers);
   for (Vec3& force : buffers.probe_forces) force = -force;  // the body's reaction on the finger
   return {buffers.probe_forces, buffers.summaries, report};
 }
 
+/// A body that no probe presses is where it rests, whatever the cycle before has left.
+void rest(const Body& body, BodyMotion& motion) {
+  motion.displacement.setZero();
+  motion.positions = body.rest;
+}
+
 }  // namespace
+
+std::string_view to_string(Stop stop) {
+  switch (stop) {
+    case Stop::Converged:
+      return "converged";
+    case Stop::IterationLimit:
+      return "iteration limit";
+    case Stop::SingularMatrix:
+      return "singular matrix";
+    case Stop::NotFinite:
+      return "not finite";
+  }
+  return "";
+}
 
 Scratch::Buffers::Buffers(const Model& model)
     : rows(model.probes.size()),
@@ -83,10 +106,14 @@ SolveReport free_deformation(const Model& model, Scratch::Buffers& buffers) {
   for (std::size_t i = 0; i < model.bodies.size(); ++i) {
     BodyMotion& motion = buffers.free_motion[i];
     PrescribedSolve& solve = buffers.bodies[i].free;
+    const bool was_moved = motion.moved;
     motion.moved = std::ranges::any_of(model.bodies[i].probes, [&](int probe) {
       return buffers.rows[static_cast<std::size_t>(probe)].pressing;
     });
-    if (!motion.moved) continue;
+    if (!motion.moved) {
+      if (was_moved) rest(model.bodies[i], motion);
+      continue;
+    }
     motion.displacement.setZero();
     if (!solve.factor(buffers.rows, {})) return {.stop = Stop::SingularMatrix};
     solve.solve(&buffers.rows, {});
@@ -103,7 +130,7 @@ CycleResult cycle(const Model& model, const Memory&, Pose pose, Scratch& scratch
   Scratch::Buffers& buffers = scratch.buffers();
   start(buffers);
   if (!std::ranges::all_of(pose, [](const ProbePose& probe) { return probe.displacement.allFinite(); }))
-    return result(buffers, {.stop = Stop::SingularMatrix});
+    return result(buffers, {.stop = Stop::NotFinite});
   footprint(model, pose, buffers.rows);
   SolveReport report = free_deformation(model, buffers);
   if (report.stop == Stop::Converged && model.law != ContactModel::None && !model.pairs.empty())

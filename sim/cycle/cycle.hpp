@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "sim/scene/model.hpp"
@@ -26,12 +27,18 @@ struct Loads {
   std::vector<Eigen::VectorXd> on_body{};
 };
 
-enum class Stop { Converged, IterationLimit, SingularMatrix };
+enum class Stop {
+  Converged,
+  IterationLimit,
+  SingularMatrix,
+  NotFinite
+};                                      // NotFinite: a pose or a force is no number
+std::string_view to_string(Stop stop);  // "converged", "singular matrix", ...
 struct SolveReport {
   Stop stop = Stop::Converged;
   int iterations = 0;
-  double residual =
-      0.0;  // largest error of a prescribed displacement, relative to the largest prescribed one [-]
+  double residual = 0.0;  // largest error of what contact prescribed, relative to the largest such
+                          // displacement; 0 without [-]
 };
 
 /// What happened between two bodies in one cycle.
@@ -65,8 +72,8 @@ class Scratch {
 };
 
 /// One update of the haptic loop: pose in, force out. Allocates nothing, locks nothing, and depends on the
-/// pose alone: the same pose gives the same bits whatever cycles went before. A pose that is not finite gives
-/// zero force and Stop::SingularMatrix; no displacement is ever guessed.
+/// pose alone: the same pose gives the same bits whatever cycles went before. A cycle that fails
+/// gives zero force and says why (a pose that is not finite: Stop::NotFinite); nothing is ever guessed.
 CycleResult cycle(const Model& model, const Memory& memory, Pose pose, Scratch& scratch);
 
 /// Displacements of the drawn nodes of a body under loads [m], 3d entries, for frames. Outside the cycle.

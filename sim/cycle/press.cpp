@@ -1,7 +1,10 @@
 #include "sim/cycle/press.hpp"
 
+#include <fmt/format.h>
+
 #include <cassert>
 #include <chrono>
+#include <stdexcept>
 
 #include "sim/pairing/find_pairs.hpp"
 
@@ -28,6 +31,13 @@ std::vector<ProbePose> pose_at_depth(const Model& model, double depth) {
 
 double normal_force(const Probe& probe, const Vec3& force_on_finger) {
   return -force_on_finger.dot(probe.direction);
+}
+
+void require_solved(const Press& press) {
+  for (const PressStep& step : press.curve)
+    if (step.solve.stop != Stop::Converged)
+      throw std::runtime_error(fmt::format("the displacements could not be solved at a depth of {:g} mm ({})",
+                                           1e3 * step.depth, to_string(step.solve.stop)));
 }
 
 Press press(const Model& model, double depth, int steps) {

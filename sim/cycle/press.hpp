@@ -25,6 +25,9 @@ struct Press {
 /// is depth / steps. Probes move together.
 Press press(const Model& model, double depth, int steps);
 
+/// Throws std::runtime_error, with the depth and the reason, where a step could not be solved.
+void require_solved(const Press& press);
+
 /// The pose of a press: every probe at `depth` along its direction.
 std::vector<ProbePose> pose_at_depth(const Model& model, double depth);
 

@@ -50,8 +50,8 @@ int nearest_surface_node(const ProbeSpec& spec, const TetMesh& mesh, const Surfa
   return nearest;
 }
 
-/// Nodes within the radius that are reached from the middle through surface triangles whose corners are all
-/// within it.
+/// Nodes within the radius that are reached from the middle along edges of the surface between nodes within
+/// it.
 std::set<int> connected_footprint(const TetMesh& mesh, const Surface& surface, int middle, double radius) {
   const Vec3 centre = mesh.nodes[static_cast<std::size_t>(middle)];
   const auto within = [&](int node) {

@@ -163,6 +163,30 @@ TEST_F(StudyEndToEnd, ARefusedStartMakesNothing) {
   }
 }
 
+TEST_F(StudyEndToEnd, AReportTakesNoStudysPlaceAndNeedsOneThatIsWhole) {
+  ASSERT_EQ(run(simulate("a.db", 1)).exit_code, 0);
+  const std::string before = read(folder_ / "a.db");
+  for (const char* out : {"a.db", "notes.txt"}) {
+    const Outcome refused = run({"report", file("a.db"), "--run-mode", "simulated", "--out", file(out)});
+    EXPECT_EQ(refused.exit_code, 1);
+    EXPECT_THAT(refused.err, HasSubstr("ends in .html"));
+  }
+  EXPECT_EQ(read(folder_ / "a.db"), before);
+  ASSERT_EQ(trials::test::sql(folder_ / "a.db",
+                              "DROP TRIGGER answer_refuses_UPDATE;"
+                              "UPDATE answer SET response = 3 - response, correct = 1 - correct"),
+            "");
+  for (const std::vector<std::string>& asked :
+       {std::vector<std::string>{"report", file("a.db"), "--run-mode", "simulated"},
+        {"export", file("a.db"), "--as", "csv", "--out", file("out")},
+        {"simulate", kProtocol, "--study", file("a.db"), "--examinees", "2", "--seed", "1"}}) {
+    const Outcome refused = run(asked);
+    EXPECT_EQ(refused.exit_code, 1) << refused.out;
+    EXPECT_THAT(refused.err, HasSubstr("is not whole"));
+    EXPECT_EQ(refused.out, "");
+  }
+}
+
 TEST_F(StudyEndToEnd, ExportOverwritesNothing) {
   ASSERT_EQ(run(simulate("a.db", 1)).exit_code, 0);
   const std::vector<std::string> to_csv{"export", file("a.db"), "--as", "csv", "--out", file("out")};

@@ -161,7 +161,15 @@ TEST(Protocol, WhatTheSceneDoesNotTakeIsRefusedWithItsLine) {
   EXPECT_THAT(refusal_with("rectal-palpation.toml", "no-such.toml"), HasSubstr("no-such.toml: no such file"));
 }
 
+TEST(Protocol, APlanThatNobodyCanFollowIsRefused) {
+  EXPECT_THAT(refusal_with("\"3 mm\"", "\"30 mm\""),
+              AllOf(HasSubstr("exploration.min_depth: found 30 mm"), HasSubstr("presses 5 mm deep")));
+  EXPECT_THAT(refusal_with("\"10 s\"", "\"1 us\""), HasSubstr("exploration.max_time: is too short"));
+}
+
 TEST(Protocol, ConditionsAndLevelsThatFeelAlikeAreRefused) {
+  EXPECT_THAT(refusal_with("\"bodies.prostate.young_modulus\" = \"5.0 MPa\"", "\"name\" = \"another\""),
+              HasSubstr("is the same scene as"));
   EXPECT_THAT(refusal_with("\"5.0 MPa\"", "\"1000 kPa\""),
               HasSubstr("conditions.hard: is the same scene as \"soft\""));
   const std::string same_level =

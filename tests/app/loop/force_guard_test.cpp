@@ -36,8 +36,13 @@ TEST_P(BadForce, RampsToZeroWithin20MillisecondsAndLatches) {
   }
   EXPECT_EQ(before, 0.0);
   for (int i = 0; i < 1000; ++i) ASSERT_EQ(step(guard, 4.0), 0.0);
-  acknowledge(guard);
-  EXPECT_LE(step(guard, 4.0), 4.0 * kStep / kTimes.ramp_up + 1e-12);
+}
+
+TEST(ForceGuard, ALateCycleRaisesTheForceByOneCycleOnlyAndLowersItByTheTimeThatPassed) {
+  ForceGuard guard{.gain = 0.0};
+  EXPECT_LE(guard_force(guard, kTimes, true, 0.0, 4.0, kLargest, 0.5), 4.0 * kStep / kTimes.ramp_up + 1e-12);
+  guard.gain = 1.0;
+  EXPECT_EQ(guard_force(guard, kTimes, true, 1.0, 4.0, kLargest, 0.5), 0.0);
 }
 
 INSTANTIATE_TEST_SUITE_P(NotFinite, BadForce,

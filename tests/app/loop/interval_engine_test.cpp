@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
 
 #include "app/web/messages.hpp"
@@ -162,7 +163,40 @@ TEST(IntervalEngine, AGapInTheInputIsNoKick) {
   EXPECT_EQ(engine.state().fault, Fault::None);
 }
 
-TEST(IntervalEngine, MissedCyclesAreWaysThatTheProbeStillGoes) {
+// Hard case 43: 500 ms during which nothing ran. What comes then is one cycle's way, and no kick.
+TEST(IntervalEngine, ALoopThatWasLateCatchesUpWithNothing) {
+  const sim::Model model = palpation("kuroda", "1.0 MPa");
+  IntervalEngine late(model, kLimits), punctual(model, kLimits);
+  for (IntervalEngine* engine : {&late, &punctual})
+    for (int i = 0; i < 100; ++i) engine->tick({.depth = -1e-3, .known = true});
+  late.tick({.depth = 8e-3, .known = true}, 500);
+  punctual.tick({.depth = 8e-3, .known = true});
+  EXPECT_EQ(late.state().depth, punctual.state().depth);
+  EXPECT_EQ(late.state().force, punctual.state().force);
+}
+
+// The compliance is taken away under the model: no displacement can be prescribed any more.
+TEST(IntervalEngine, ACycleThatCannotBeSolvedIsAFaultAndNoForce) {
+  sim::Model model = palpation("kuroda", "1.0 MPa");
+  IntervalEngine engine(model, kLimits);
+  engine.tick({.depth = -1e-3, .known = true});
+  for (int i = 0; i < 100; ++i) engine.tick({.depth = 3e-3, .known = true});
+  ASSERT_GT(engine.state().force, 0.0);
+  sim::Compliance nothing = *model.bodies.front().compliance;
+  nothing.touch_touch.setZero();
+  model.bodies.front().compliance = std::make_shared<const sim::Compliance>(nothing);
+  for (sim::Probe& probe : model.probes) probe.compliance.setZero();
+  double before = engine.state().force;
+  for (int i = 0; i < 20; ++i) {
+    engine.tick({.depth = 3e-3, .known = true});
+    EXPECT_LE(engine.state().force, before);
+    before = engine.state().force;
+  }
+  EXPECT_EQ(engine.state().fault, Fault::NotFinite);
+  EXPECT_EQ(engine.state().force, 0.0);
+}
+
+TEST(IntervalEngine, MissedCyclesCountAsTime) {
   const sim::Model model = palpation("kuroda", "1.0 MPa");
   IntervalEngine engine(model, kLimits);
   engine.tick({.depth = -1e-3, .known = true});

@@ -54,6 +54,14 @@ direction = [0, 0, -1]
 depth = "2 mm"
 )";
 
+constexpr const char* kThumb = R"([probes.thumb]
+body = "lower"
+kind = "point"
+at = ["10 mm", "10 mm", "20 mm"]
+direction = [0, 0, -1]
+depth = "2 mm"
+)";
+
 }  // namespace
 
 std::filesystem::path write_two_boxes(const TwoBoxes& boxes) {
@@ -66,6 +74,7 @@ std::filesystem::path write_two_boxes(const TwoBoxes& boxes) {
       << fmt::format(kScene, fmt::arg("shift", boxes.shift), fmt::arg("top", height + boxes.gap),
                      fmt::arg("probe", boxes.probe), fmt::arg("middle", side / 2 + boxes.shift),
                      fmt::arg("upper_top", height + boxes.gap + thickness));
+  if (boxes.second_probe) std::ofstream(folder / "scene.toml", std::ios::app) << kThumb;
   return folder / "scene.toml";
 }
 

@@ -17,6 +17,7 @@ struct TwoBoxes {
   double gap = 0.2e-3;      // [m]
   double shift = 0.0;       // of the upper box along x and y [m], so that nodes need not face nodes
   std::string probe = "kind = \"point\"";
+  bool second_probe = false;  // "thumb", a point on the lower box's top, beside the middle
 };
 
 /// Writes meshes and scene into a fresh folder and gives the scene's path. The folder goes with the process's
