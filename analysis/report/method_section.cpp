@@ -185,14 +185,15 @@ void add_test_limits(const StudyReport& report, std::vector<std::string>& limits
   long tested = 0;
   for (const CellResult& cell : report.cells) {
     if (!cell.primary) continue;
-    none *= 1 - cell.primary->critical.size;
+    none *= 1 - cell.primary->size;
     ++tested;
   }
   if (tested > 1) {
     limits.push_back(fmt::format(
         "Each of the {} primary tests has its own alpha of {}; were all answers guesses, at least "
-        "one would reject with probability {}.",
-        tested, report.design.alpha, number(1 - none)));
+        "one would reject with probability {}{}.",
+        tested, report.design.alpha, number(1 - none),
+        report.look && report.look->number > 1 ? ", at this look or at one before" : ""));
   }
   limits.push_back(
       "Answers of one examinee resemble each other when they are more than guesses. The pooled test stays "

@@ -12,7 +12,10 @@ namespace {
 ordered_json primary_json(const PrimaryTest& test) {
   ordered_json look = nullptr;
   if (test.look) {
-    look = {{"number", test.look->number}, {"of", test.look->of}, {"alpha_spent", test.look->spent}};
+    look = {{"number", test.look->number},
+            {"of", test.look->of},
+            {"alpha_spent", test.look->spent},
+            {"rejected_by_now_under_guessing", test.size}};
   }
   return {{"procedure", test.name == "paired-comparison" ? "binomial" : "randomisation"},
           {"correct", test.correct},
