@@ -47,7 +47,7 @@ struct StudyDesign {
 
 /// One examinee's sitting.
 struct SessionRow {
-  std::string session{};
+  int session = 1;  // number of this examinee's sittings, from 1: the exports' session_id
   std::string examinee{};
   std::string run_mode{};  // "study", "pilot", "practice", "simulated"
   std::string protocol_sha256{};

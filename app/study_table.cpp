@@ -60,7 +60,7 @@ namespace {
 
 analysis::SessionRow session_of(const std::string& protocol_sha256, const trials::SessionRow& session) {
   const trials::SessionFacts& facts = session.facts;
-  return {.session = std::to_string(session.id),
+  return {.session = session.number,
           .examinee = facts.examinee,
           .run_mode = std::string(trials::to_string(facts.run_mode)),
           .protocol_sha256 = protocol_sha256,  // a study file holds one protocol

@@ -194,7 +194,6 @@ void take_sessions(const StudyTable& table, const Selection& selection, StudyRep
   for (const TrialRow* trial : selection.voided) {
     const SessionRow& session = table.sessions[trial->session];
     report.voided.push_back({.examinee = session.examinee,
-                             .session = session.session,
                              .cell = table.design.cells[trial->cell].name,
                              .reason = trial->void_reason,
                              .trial = trial->trial});
@@ -203,6 +202,7 @@ void take_sessions(const StudyTable& table, const Selection& selection, StudyRep
                [&](const ForceCurve& curve) { return curve.run_mode == selection.run_mode; });
 }
 
+                             .session = session.session,
 void compute(const Selection& selection, StudyReport& report) {
   for (const Cell& cell : report.design.cells) {
     report.cells.push_back(

@@ -67,7 +67,8 @@ struct StimulusSummary {
 };
 
 struct VoidedTrial {
-  std::string examinee{}, session{}, cell{}, reason{};
+  std::string examinee{}, cell{}, reason{};
+  int session = 0;  // number of the examinee's sitting
   int trial = 0;
 };
 

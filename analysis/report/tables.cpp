@@ -214,21 +214,21 @@ TextTable voided_table(const StudyReport& report) {
   TextTable table{.title = "Voided trials, not counted",
                   .header = {"examinee", "session", "trial", "cell", "reason"}};
   for (const VoidedTrial& trial : report.voided) {
-    table.rows.push_back(
-        {trial.examinee, trial.session, std::to_string(trial.trial), trial.cell, trial.reason});
+    table.rows.push_back({trial.examinee, std::to_string(trial.session), std::to_string(trial.trial),
+                          trial.cell, trial.reason});
   }
   return table;
 }
 
 TextTable session_table(const StudyReport& report) {
   TextTable table{.title = "Sessions",
-                  .header = {"session", "examinee", "begun (UTC)", "finished", "resumed", "device",
+                  .header = {"examinee", "session", "begun (UTC)", "finished", "resumed", "device",
                              "order from", "version"}};
   const bool scaled = std::any_of(report.sessions.begin(), report.sessions.end(),
                                   [](const SessionRow& session) { return session.force_scale != 1.0; });
   if (scaled) table.header.push_back("force scale");
   for (const SessionRow& session : report.sessions) {
-    table.rows.push_back({session.session, session.examinee, session.started_utc,
+    table.rows.push_back({session.examinee, std::to_string(session.session), session.started_utc,
                           session.finished ? "yes" : "no", std::to_string(session.times_resumed),
                           session.device, session.order_source, session.software_version});
     if (scaled) table.rows.back().push_back(number(session.force_scale));
