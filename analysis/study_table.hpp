@@ -112,9 +112,17 @@ struct FrozenPlan {
 };
 
 struct StudyTable {
+/// That results were read while the study ran, as its file has logged it.
+struct LookEvent {
+  std::string run_mode{};  // of the results that were read; empty: it does not say
+  int planned = 0;         // number of the look that the protocol plans; 0: nobody planned it
+  std::string utc{};       // ISO 8601
+  std::string text{};      // what the file says of it
+};
+
   StudyDesign design{};
   std::optional<FrozenPlan> frozen_plan{};
-  int interim_looks = 0;  // at the results, that were asked for before the planned sample was complete
+  std::vector<LookEvent> looks{};
   std::vector<SessionRow> sessions{};
   std::vector<TrialRow> trials{};
   std::vector<ForceCurve> curves{};

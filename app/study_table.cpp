@@ -10,6 +10,7 @@
 #include <set>
 #include <tuple>
 
+#include "app/look_log.hpp"
 #include "sim/io/sha256.hpp"
 
 namespace palpate::app {
@@ -230,12 +231,7 @@ analysis::StudyTable read_study_table(const trials::StudyFile& study, bool curve
       voided[{*event.session, *event.trial}] = event.text;
     }
     if (event.kind == kPlanFrozen) table.frozen_plan = frozen_plan_of(event);
-    if (event.kind == kInterimLook) {
-      ++table.interim_looks;
-      table.notes.push_back(
-          fmt::format("The results were looked at before the planned sample was complete, on {}: {}.",
-                      event.utc, event.text));
-    }
+    if (const auto look = look_of(event)) table.looks.push_back(*look);
   }
   for (const trials::MergedPart& part : trials::merged_parts(study.events()))
     table.notes.push_back(fmt::format("Joined from the study file {}{}: {} sittings, receipt {}.", part.file,

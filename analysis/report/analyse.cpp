@@ -231,8 +231,7 @@ StudyReport analyse(const StudyTable& table, const ReportOptions& options) {
                      .run_mode = selection.run_mode,
                      .planned_examinees = table.design.planned_examinees,
                      .examinees = selection.examinees,
-                     .frozen_plan = table.frozen_plan,
-                     .interim_looks = table.interim_looks};
+                     .frozen_plan = table.frozen_plan};
   take_sessions(table, selection, report);
   report.complete_examinees = complete_examinees(table.design, selection);
   report.complete = report.complete_examinees >= report.planned_examinees;
@@ -244,4 +243,25 @@ StudyReport analyse(const StudyTable& table, const ReportOptions& options) {
   return report;
 }
 
+// The looks at results of this run mode: who looks at what simulated observers answer has seen nothing of the
+// study. Of a planned look the first time counts; it gives the same whenever it is taken again.
+void take_looks(const StudyTable& table, StudyReport& report) {
+  std::map<int, LookEvent> planned;
+  const auto take = [&](const LookEvent& look) {
+    const auto [first, is_new] = planned.try_emplace(look.planned, look);
+    if (!is_new && look.utc < first->second.utc) first->second = look;
+  };
+  for (const LookEvent& look : table.looks) {
+    if (!look.run_mode.empty() && look.run_mode != report.run_mode) continue;
+    if (look.planned > 0)
+      take(look);
+    else
+      report.interim_looks.push_back(look);
+  }
+  if (report.look && !planned.contains(report.look->number))
+    take({.run_mode = report.run_mode, .planned = report.look->number, .utc = report.options.written_utc});
+  for (const auto& [number, look] : planned) report.planned_looks.push_back(look);
+}
+
 }  // namespace palpate::analysis
+  take_looks(table, report);

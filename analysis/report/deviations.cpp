@@ -17,11 +17,12 @@ void add_sample(const StudyReport& report, std::vector<std::string>& found) {
 }
 
 void add_looks(const StudyReport& report, std::vector<std::string>& found) {
-  if (report.interim_looks == 0) return;
+  const std::size_t looks = report.interim_looks.size();
+  if (looks == 0) return;
   found.push_back(
       fmt::format("The results were looked at {} before the planned sample was complete, without being "
                   "planned.",
-                  report.interim_looks == 1 ? "once" : fmt::format("{} times", report.interim_looks)));
+                  looks == 1 ? "once" : fmt::format("{} times", looks)));
 }
 
 void add_sessions(const StudyReport& report, std::vector<std::string>& found) {
@@ -77,6 +78,11 @@ std::vector<std::string> plan_in_words(const StudyReport& report) {
       design.looks.empty() ? "; one look, at the end"
                            : fmt::format("; {} looks, {} spending", design.looks.size(), design.spending)));
   return words;
+  for (const LookEvent& look : report.planned_looks) {
+    if (look.utc.empty()) continue;
+    words.push_back(fmt::format("Planned look {} of {} was first taken on {}.", look.planned,
+                                design.looks.size(), look.utc));
+  }
 }
 
 std::vector<std::string> deviations(const StudyReport& report) {

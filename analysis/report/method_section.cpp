@@ -265,3 +265,7 @@ std::vector<std::string> limits(const StudyReport& report, const std::vector<std
 }
 
 }  // namespace palpate::analysis
+  for (const LookEvent& look : report.interim_looks)
+    limits.push_back(
+        fmt::format("The results were looked at before the planned sample was complete, on {}: {}.", look.utc,
+                    look.text));

@@ -94,9 +94,10 @@ struct StudyReport {
   std::vector<VoidedTrial> voided{};
   std::vector<SessionRow> sessions{};  // of this run mode
   std::optional<FrozenPlan> frozen_plan{};
-  int interim_looks = 0;                  // that were not planned
-  std::vector<std::string> plan{};        // what was fixed beforehand, a sentence each
-  std::vector<std::string> deviations{};  // from it, likewise
+  std::vector<LookEvent> interim_looks{};  // at results of this run mode, that were not planned
+  std::vector<LookEvent> planned_looks{};  // when each was first taken; this one as well
+  std::vector<std::string> plan{};         // what was fixed beforehand, a sentence each
+  std::vector<std::string> deviations{};   // from it, likewise
   std::string pooled_claim{}, people_claim{}, comparison_claim{};
   std::vector<std::string> method{};  // the method section, a paragraph each
   std::vector<std::string> limits{};

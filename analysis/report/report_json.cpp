@@ -92,10 +92,15 @@ ordered_json plan_json(const StudyReport& report) {
               {"frozen_utc", report.frozen_plan->frozen_utc},
               {"software_version", report.frozen_plan->software_version}};
   }
+  ordered_json looks = ordered_json::array();
+  for (const LookEvent& look : report.planned_looks)
+    looks.push_back({{"number", look.planned},
+                     {"first_taken_utc", look.utc.empty() ? ordered_json(nullptr) : ordered_json(look.utc)}});
   return {{"frozen", frozen},
           {"words", report.plan},
           {"deviations", report.deviations},
-          {"unplanned_interim_looks", report.interim_looks}};
+          {"planned_looks_taken", looks},
+          {"unplanned_interim_looks", report.interim_looks.size()}};
 }
 
 ordered_json cell_json(const StudyReport& report, const CellResult& cell) {
@@ -198,7 +203,7 @@ ordered_json json_report(const StudyReport& report) {
           {"run_mode", report.run_mode},
           {"pseudo_haptic", report.pseudo_haptic},
           {"channel", report.channel},
-          {"interim", report.options.interim && !report.complete},
+          {"interim", report.options.interim && !report.complete && !report.look},
           {"withheld", report.withheld},
           {"planned_examinees", report.planned_examinees},
           {"complete_examinees", report.complete_examinees},

@@ -158,6 +158,14 @@ std::string cell_summary(const StudyReport& report, const CellResult& cell) {
       percent(static_cast<double>(cell.correct) / static_cast<double>(cell.trials)));
   if (!cell.primary) return text;
   const std::string p = p_in_words(cell.primary->p.of(cell.primary->side));
+std::string first_taken(const StudyReport& report) {
+  for (const LookEvent& look : report.planned_looks) {
+    if (look.planned == report.look->number && !look.utc.empty())
+      return fmt::format(" It was first taken on {}.", look.utc);
+  }
+  return "";
+}
+
   text += " " + (rejects(cell.primary->critical, cell.correct) ? rejection(report, cell, p)
                                                                : no_rejection(report, cell, p));
   return text + people_sentence(report, cell);
@@ -215,8 +223,9 @@ std::vector<std::string> banners(const StudyReport& report) {
     banners.push_back(fmt::format(
         "PLANNED LOOK {} of {}: {} of {} planned examinees are complete. The numbers of correct answers that "
         "reject guessing are those of the alpha that this look may spend; p values and intervals do not know "
-        "of the looks.",
-        report.look->number, report.look->of, report.complete_examinees, report.planned_examinees));
+        "of the looks.{}",
+        report.look->number, report.look->of, report.complete_examinees, report.planned_examinees,
+        first_taken(report)));
   } else if (!report.complete) {
     banners.push_back(fmt::format(
         "{}: {} of {} planned examinees are complete.{}", report.withheld ? "NOT COMPLETE" : "INTERIM LOOK",

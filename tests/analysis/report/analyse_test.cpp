@@ -267,7 +267,7 @@ TEST(Analyse, TellsThePlanAndWhatDeviatesFromIt) {
   table.frozen_plan->frozen_utc = "2003-12-04T08:00:00Z";
   EXPECT_THAT(analyse(table).plan, Contains(HasSubstr("after the first of these sessions had begun")));
 
-  table.interim_looks = 2;
+  table.looks.resize(2);
   table.design.planned_examinees = 12;
   table.sessions[3].finished = false;
   table.sessions[4].software_version = "0.2.0";

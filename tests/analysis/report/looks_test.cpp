@@ -10,6 +10,7 @@ namespace {
 
 using testing::Contains;
 using testing::HasSubstr;
+using testing::Not;
 
 /// Everybody is right under kuroda and wrong under sibille: every test would reject.
 StudyTable clear_cut(std::size_t examinees, bool looks) {
@@ -37,6 +38,37 @@ TEST(Looks, CountTowardsTheProbabilityThatAnythingRejects) {
                                  "or at one before.")));
   const StudyReport without = analyse(clear_cut(15, false));
   EXPECT_EQ(without.cells[0].primary->size, without.cells[0].primary->critical.size);
+}
+
+// What simulated observers answer says nothing of the study.
+TEST(Looks, AreHeldAgainstTheRunModeThatWasLookedAt) {
+  StudyTable table = clear_cut(15, false);
+  table.looks = {
+      {.run_mode = "simulated", .utc = "2003-12-01T08:00:00Z", .text = "run mode simulated, 7 of 15"}};
+  EXPECT_TRUE(analyse(table).deviations.empty());
+  EXPECT_THAT(analyse(table).limits, Not(Contains(HasSubstr("looked at"))));
+  table.looks.push_back(
+      {.run_mode = "study", .utc = "2003-12-02T08:00:00Z", .text = "run mode study, 9 of 15"});
+  EXPECT_THAT(analyse(table).deviations, Contains(HasSubstr("looked at once before")));
+  EXPECT_THAT(analyse(table).limits, Contains("The results were looked at before the planned sample was "
+                                              "complete, on 2003-12-02T08:00:00Z: run mode study, 9 of 15."));
+}
+
+TEST(Looks, ThatWerePlannedSayWhenTheyWereFirstTaken) {
+  StudyTable table = clear_cut(10, true);
+  table.looks = {
+      {.run_mode = "study", .planned = 1, .utc = "2003-12-04T08:00:00Z"},
+      {.run_mode = "study", .planned = 2, .utc = "2003-12-08T08:00:00Z"},
+      {.run_mode = "study", .planned = 2, .utc = "2003-12-07T08:00:00Z"},  // of another site's file
+      {.run_mode = "pilot", .planned = 2, .utc = "2003-12-01T08:00:00Z"}};
+  const StudyReport again = analyse(table, {.written_utc = "2003-12-09T08:00:00Z"});
+  EXPECT_TRUE(again.deviations.empty());
+  EXPECT_THAT(again.banners, Contains(HasSubstr("It was first taken on 2003-12-07T08:00:00Z.")));
+  EXPECT_THAT(again.plan, Contains("Planned look 1 of 3 was first taken on 2003-12-04T08:00:00Z."));
+  EXPECT_THAT(again.plan, Contains("Planned look 2 of 3 was first taken on 2003-12-07T08:00:00Z."));
+  table.looks.clear();
+  const StudyReport now = analyse(table, {.written_utc = "2003-12-09T08:00:00Z"});
+  EXPECT_THAT(now.banners, Contains(HasSubstr("It was first taken on 2003-12-09T08:00:00Z.")));
 }
 
 }  // namespace palpate::analysis
