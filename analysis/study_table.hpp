@@ -87,6 +87,7 @@ struct TrialRow {
   std::string response{};         // as answered: "1", "2"
   std::optional<bool> correct{};  // empty where there is no truth
   std::optional<double> response_time_s{};
+  std::string answered_utc{};  // ISO 8601 with the same number of digits everywhere; empty: not recorded
   bool voided = false;
   std::string void_reason{};
   std::vector<IntervalRow> intervals{};

@@ -139,7 +139,8 @@ void add_session(const trials::StudyFile& study, const trials::SessionRow& sessi
                            .correct_answer = std::to_string(trial.correct_interval),
                            .response = std::to_string(answer.response),
                            .correct = answer.correct,
-                           .response_time_s = answer.response_time};
+                           .response_time_s = answer.response_time,
+                           .answered_utc = answer.committed_utc};
     const auto reason = voided.find({session.id, answer.trial});
     row.voided = reason != voided.end();
     if (row.voided) row.void_reason = reason->second;

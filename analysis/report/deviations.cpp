@@ -12,8 +12,9 @@ namespace {
 
 void add_sample(const StudyReport& report, std::vector<std::string>& found) {
   if (report.complete_examinees == report.planned_examinees || (report.look && !report.complete)) return;
-  found.push_back(fmt::format("{} examinees are complete, {} were planned.", report.complete_examinees,
-                              report.planned_examinees));
+  found.push_back(fmt::format("{} examinees are complete, {} were planned{}.", report.complete_examinees,
+                              report.planned_examinees,
+                              report.sample ? "; the tests count those who completed first" : ""));
 }
 
 void add_looks(const StudyReport& report, std::vector<std::string>& found) {

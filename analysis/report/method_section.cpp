@@ -127,25 +127,37 @@ std::string analysis_plan(const StudyReport& report) {
         design.between_models == "sign-flip" ? " (planned)" : " (secondary)",
         design.between_models == "wilcoxon" ? " (planned)" : " (secondary)");
   }
-  return text + " No answer was excluded but voided trials; no exclusion rule was applied.";
+  if (!report.sample)
+    return text + " No answer was excluded but voided trials; no exclusion rule was applied.";
+  return text + fmt::format(
+                    " The tests count the first {} to complete all planned trials; of their answers none was "
+                    "excluded but voided trials, and no exclusion rule was applied.",
+                    examinees_word(report, *report.sample));
 }
 
 void add_sample_limits(const StudyReport& report, std::vector<std::string>& limits) {
   if (report.complete_examinees > report.planned_examinees) {
-    limits.push_back(
-        fmt::format("{} examinees are complete where {} were planned: the sample deviates from the plan.",
-                    report.complete_examinees, report.planned_examinees));
+    limits.push_back(fmt::format(
+        "{} examinees are complete where {} were planned. The tests count the first {} to "
+        "complete. The count with everybody is no part of the plan: were the results looked at on "
+        "the way, alpha does not hold for it.",
+        report.complete_examinees, report.planned_examinees, report.planned_examinees));
   }
   const auto unfinished = std::count_if(report.sessions.begin(), report.sessions.end(),
                                         [](const SessionRow& session) { return !session.finished; });
   if (unfinished > 0) {
-    limits.push_back(fmt::format("{} not finished; the answers given in {} are counted.",
-                                 counted(unfinished, "session is", "sessions are"),
-                                 unfinished == 1 ? "it" : "them"));
+    limits.push_back(fmt::format("{} not finished; {}.", counted(unfinished, "session is", "sessions are"),
+                                 report.sample
+                                     ? "no answer is counted of an examinee who is not complete"
+                                     : "the answers given so far are counted, but for what weighs each "
+                                       "examinee the same, where only complete ones enter"));
   }
   if (report.sessions.size() > report.examinees.size()) {
-    limits.push_back(
-        "Some examinees sat more than one session: all their answers are counted, as one examinee's.");
+    limits.push_back(report.sample
+                         ? "Some examinees sat more than one session: their answers are counted as one "
+                           "examinee's, up to the one that completes what was planned."
+                         : "Some examinees sat more than one session: all their answers are counted, as one "
+                           "examinee's.");
   }
   const auto resumed = std::count_if(report.sessions.begin(), report.sessions.end(),
                                      [](const SessionRow& session) { return session.times_resumed > 0; });

@@ -106,15 +106,21 @@ ordered_json plan_json(const StudyReport& report) {
 ordered_json cell_json(const StudyReport& report, const CellResult& cell) {
   ordered_json examinees = ordered_json::array();
   for (std::size_t i = 0; i < report.examinees.size(); ++i) {
+    const bool counted = cell.by_examinee[i].trials > 0 || !cell.all;
+    const ExamineeCount& count = counted ? cell.by_examinee[i] : cell.all->by_examinee[i];
     examinees.push_back({{"examinee", report.examinees[i]},
-                         {"correct", cell.by_examinee[i].correct},
-                         {"trials", cell.by_examinee[i].trials}});
+                         {"correct", count.correct},
+                         {"trials", count.trials},
+                         {"counted", counted}});
   }
+  ordered_json all = nullptr;
+  if (cell.all) all = {{"correct", cell.all->correct}, {"trials", cell.all->trials}};
   const bool tested = cell.primary.has_value();
   return {{"cell", cell.name},
           {"correct", cell.correct},
           {"trials", cell.trials},
           {"voided", cell.voided},
+          {"all_answers", all},
           {"significant",
            tested ? ordered_json(rejects(cell.primary->critical, cell.correct)) : ordered_json(nullptr)},
           {"primary", tested ? primary_json(*cell.primary) : ordered_json(nullptr)},
@@ -207,6 +213,7 @@ ordered_json json_report(const StudyReport& report) {
           {"withheld", report.withheld},
           {"planned_examinees", report.planned_examinees},
           {"complete_examinees", report.complete_examinees},
+          {"counted_examinees", plain_or_null(report.sample)},
           {"banners", report.banners},
           {"summary", report.summary},
           {"design", design_json(report.design)},

@@ -87,6 +87,7 @@ std::string people_sentence(const StudyReport& report, const CellResult& cell) {
       report.run_mode == "simulated" ? "simulated examinees like these" : "people like these";
   if (least_p(test.examinees, side) > report.design.alpha) {
     return text + fmt::format("with {} this test cannot reach alpha {}, whatever they answer.",
+  if (!cell.by_people) return " No examinee is complete, so nothing is said examinee by examinee.";
                               examinees_word(report, n), report.design.alpha);
   }
   if (p <= report.design.alpha) {
@@ -114,6 +115,21 @@ std::string sample_sentence(const StudyReport& report) {
 }
 
 std::string looks_sentence(const StudyReport& report) {
+long answers_not_counted(const StudyReport& report) {
+  long others = 0;
+  for (const CellResult& cell : report.cells)
+    if (cell.all) others += cell.all->trials - cell.trials;
+  return others;
+}
+
+// What all answers give that are in the file, next to those that the plan counts.
+std::string all_answers_sentence(const CellResult& cell) {
+  if (!cell.all) return "";
+  return fmt::format(" With everybody's answers, which is not planned, {} of {} are correct ({}).",
+                     cell.all->correct, cell.all->trials,
+                     percent(static_cast<double>(cell.all->correct) / static_cast<double>(cell.all->trials)));
+}
+
   std::vector<std::string> looks;
   for (const int look : report.design.looks) looks.push_back(std::to_string(look));
   return fmt::format("The protocol plans looks when exactly {} examinees are complete; none is due now.",
@@ -121,6 +137,11 @@ std::string looks_sentence(const StudyReport& report) {
 }
 
 }  // namespace
+  const long others = answers_not_counted(report);
+  if (others > 0) {
+    text += fmt::format(", those of the first {} to complete it; {} not", *report.sample,
+                        others == 1 ? "1 other answer is" : fmt::format("{} other answers are", others));
+  }
 
 std::string examinees_word(const StudyReport& report, long count) {
   const std::string kind = report.run_mode == "simulated" ? "simulated " : "";
@@ -151,7 +172,7 @@ std::string points_range(const Interval& interval) {
 }
 
 std::string cell_summary(const StudyReport& report, const CellResult& cell) {
-  if (cell.trials == 0) return cell.name + ": no answers were counted.";
+  if (cell.trials == 0) return cell.name + ": no answers were counted." + all_answers_sentence(cell);
   std::string text = fmt::format(
       "{}: {} of {} {} correct ({}).", cell.name, cell.correct, counted(cell.trials, "answer", "answers"),
       cell.correct == 1 || cell.trials == 1 ? "was" : "were",
@@ -168,12 +189,12 @@ std::string first_taken(const StudyReport& report) {
 
   text += " " + (rejects(cell.primary->critical, cell.correct) ? rejection(report, cell, p)
                                                                : no_rejection(report, cell, p));
-  return text + people_sentence(report, cell);
+  return text + people_sentence(report, cell) + all_answers_sentence(cell);
 }
 
 std::string comparison_summary(const StudyReport& report, const CellComparison& comparison) {
   const std::string pair = fmt::format("{} against {}: ", comparison.first, comparison.second);
-  if (comparison.examinees == 0) return pair + "no examinee has answers counted under both.";
+  if (comparison.examinees == 0) return pair + "no complete examinee has answers counted under both.";
   const double points = 100 * comparison.mean_difference;
   std::string text =
       pair + (points == 0

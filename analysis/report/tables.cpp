@@ -34,6 +34,14 @@ std::string order_cell(long correct, long trials) {
                      percent(static_cast<double>(correct) / static_cast<double>(trials)));
 }
 
+// An examinee's counted answers; where none is counted, all, and that they are not.
+std::string counts_of(const CellResult& cell, std::size_t examinee) {
+  const ExamineeCount& counted = cell.by_examinee[examinee];
+  if (counted.trials > 0 || !cell.all) return of(counted.correct, counted.trials);
+  const ExamineeCount& all = cell.all->by_examinee[examinee];
+  return of(all.correct, all.trials) + (all.trials > 0 ? ", not counted" : "");
+}
+
 }  // namespace
 
 TextTable primary_table(const StudyReport& report) {
@@ -182,8 +190,7 @@ TextTable examinee_table(const StudyReport& report) {
   for (const CellResult& cell : report.cells) table.header.push_back(cell.name);
   for (std::size_t i = 0; i < report.examinees.size(); ++i) {
     std::vector<std::string> row{report.examinees[i]};
-    for (const CellResult& cell : report.cells)
-      row.push_back(of(cell.by_examinee[i].correct, cell.by_examinee[i].trials));
+    for (const CellResult& cell : report.cells) row.push_back(counts_of(cell, i));
     table.rows.push_back(row);
   }
   return table;

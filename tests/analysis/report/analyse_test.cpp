@@ -183,7 +183,7 @@ TEST(Sentences, HoldForOneExamineeAndForNoAnswers) {
   none.trials.clear();
   const StudyReport empty = analyse(none, {.interim = true});
   EXPECT_EQ(empty.summary[1], "kuroda: no answers were counted.");
-  EXPECT_EQ(empty.summary[3], "kuroda against sibille: no examinee has answers counted under both.");
+  EXPECT_EQ(empty.summary[3], "kuroda against sibille: no complete examinee has answers counted under both.");
 }
 
 TEST(Sentences, CallSimulatedAndPseudoHapticByTheirNames) {
