@@ -112,7 +112,6 @@ struct FrozenPlan {
   std::string software_version{};
 };
 
-struct StudyTable {
 /// That results were read while the study ran, as its file has logged it.
 struct LookEvent {
   std::string run_mode{};  // of the results that were read; empty: it does not say
@@ -121,6 +120,7 @@ struct LookEvent {
   std::string text{};      // what the file says of it
 };
 
+struct StudyTable {
   StudyDesign design{};
   std::optional<FrozenPlan> frozen_plan{};
   std::vector<LookEvent> looks{};

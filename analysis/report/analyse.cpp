@@ -202,13 +202,13 @@ void take_sessions(const StudyTable& table, const Selection& selection, StudyRep
     report.voided.push_back({.examinee = session.examinee,
                              .cell = table.design.cells[trial->cell].name,
                              .reason = trial->void_reason,
+                             .session = session.session,
                              .trial = trial->trial});
   }
   std::copy_if(table.curves.begin(), table.curves.end(), std::back_inserter(report.curves),
                [&](const ForceCurve& curve) { return curve.run_mode == selection.run_mode; });
 }
 
-                             .session = session.session,
 // Which answers the tests count. Whoever reads the results and goes on past the plan until they look well
 // would make false positives more frequent than alpha: so the planned number of examinees counts, and at a
 // look the number that it was planned at, in the order of completion.
@@ -244,25 +244,6 @@ void compute(const Selection& selection, StudyReport& report) {
   }
 }
 
-}  // namespace
-
-StudyReport analyse(const StudyTable& table, const ReportOptions& options) {
-  validate(table);
-  require_level(options.level, "confidence level");
-  const Selection selection = select(table, options);
-  StudyReport report{.design = table.design,
-                     .options = options,
-                     .run_mode = selection.run_mode,
-                     .planned_examinees = table.design.planned_examinees,
-                     .examinees = selection.examinees,
-                     .frozen_plan = table.frozen_plan};
-  take_sessions(table, selection, report);
-  compute(selection, report);
-  report.stimuli = summarise_stimuli(table.design, selection);
-  write_sentences(table.notes, report);
-  return report;
-}
-
 // The looks at results of this run mode: who looks at what simulated observers answer has seen nothing of the
 // study. Of a planned look the first time counts; it gives the same whenever it is taken again.
 void take_looks(const StudyTable& table, StudyReport& report) {
@@ -283,5 +264,24 @@ void take_looks(const StudyTable& table, StudyReport& report) {
   for (const auto& [number, look] : planned) report.planned_looks.push_back(look);
 }
 
-}  // namespace palpate::analysis
+}  // namespace
+
+StudyReport analyse(const StudyTable& table, const ReportOptions& options) {
+  validate(table);
+  require_level(options.level, "confidence level");
+  const Selection selection = select(table, options);
+  StudyReport report{.design = table.design,
+                     .options = options,
+                     .run_mode = selection.run_mode,
+                     .planned_examinees = table.design.planned_examinees,
+                     .examinees = selection.examinees,
+                     .frozen_plan = table.frozen_plan};
+  take_sessions(table, selection, report);
+  compute(selection, report);
   take_looks(table, report);
+  report.stimuli = summarise_stimuli(table.design, selection);
+  write_sentences(table.notes, report);
+  return report;
+}
+
+}  // namespace palpate::analysis

@@ -78,12 +78,12 @@ std::vector<std::string> plan_in_words(const StudyReport& report) {
       design.between_models == "none" ? "nothing" : design.between_models,
       design.looks.empty() ? "; one look, at the end"
                            : fmt::format("; {} looks, {} spending", design.looks.size(), design.spending)));
-  return words;
   for (const LookEvent& look : report.planned_looks) {
     if (look.utc.empty()) continue;
     words.push_back(fmt::format("Planned look {} of {} was first taken on {}.", look.planned,
                                 design.looks.size(), look.utc));
   }
+  return words;
 }
 
 std::vector<std::string> deviations(const StudyReport& report) {

@@ -178,14 +178,15 @@ void add_sample_limits(const StudyReport& report, std::vector<std::string>& limi
   }
 }
 
-std::string spread_in_words(const CellResult& cell, double alpha) {
+std::string spread_in_words(const StudyReport& report, const CellResult& cell) {
   const BetaBinomial& spread = *cell.spread;
   const std::string found =
       fmt::format("overdispersion {} ({} interval {}; Tarone's test {})", decimals(spread.gamma.estimate, 2),
                   short_percent(spread.gamma.interval.level),
                   range(spread.gamma.interval, [](double value) { return decimals(value, 2); }),
                   p_in_words(spread.tarone.p));
-  return spread.tarone.p <= alpha
+  if (!report.complete) return fmt::format("{}: {}; {}.", cell.name, found, kNoClaim);
+  return spread.tarone.p <= report.design.alpha
              ? fmt::format(
                    "{}: examinees differ more than chance explains: {}. Read the examinee-level result.",
                    cell.name, found)
@@ -212,13 +213,14 @@ void add_test_limits(const StudyReport& report, std::vector<std::string>& limits
       "exact, because it is about guessing; its interval and d' treat all answers as alike and may be too "
       "narrow for people in general.");
   for (const CellResult& cell : report.cells)
-    if (cell.spread) limits.push_back(spread_in_words(cell, report.design.alpha));
+    if (cell.spread) limits.push_back(spread_in_words(report, cell));
   for (const CellResult& cell : report.cells) {
     if (!cell.bias || cell.bias->p.two_sided > report.design.alpha) continue;
     limits.push_back(
         fmt::format("{}: {} of the answers named the first interval (against 1/2: {}). An interval is "
-                    "favoured, so the proportion correct understates the sensitivity; see d' by order.",
-                    cell.name, percent(cell.bias->share_first), p_in_words(cell.bias->p.two_sided)));
+                    "favoured, so the proportion correct understates the sensitivity; see d' by order{}.",
+                    cell.name, percent(cell.bias->share_first), p_in_words(cell.bias->p.two_sided),
+                    report.complete ? "" : fmt::format(" ({})", kNoClaim)));
   }
 }
 
@@ -272,12 +274,12 @@ std::vector<std::string> limits(const StudyReport& report, const std::vector<std
         fmt::format("{} voided and not counted; the reasons are listed.",
                     counted(static_cast<long>(report.voided.size()), "trial was", "trials were")));
   }
+  for (const LookEvent& look : report.interim_looks)
+    limits.push_back(
+        fmt::format("The results were looked at before the planned sample was complete, on {}: {}.", look.utc,
+                    look.text));
   limits.insert(limits.end(), notes.begin(), notes.end());
   return limits;
 }
 
 }  // namespace palpate::analysis
-  for (const LookEvent& look : report.interim_looks)
-    limits.push_back(
-        fmt::format("The results were looked at before the planned sample was complete, on {}: {}.", look.utc,
-                    look.text));

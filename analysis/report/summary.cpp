@@ -59,7 +59,7 @@ std::string no_rejection(const StudyReport& report, const CellResult& cell, cons
   const Interval& interval = cell.primary->interval;
   const bool beyond = (report.design.side == "greater" && interval.upper < cell.primary->chance) ||
                       (report.design.side == "less" && interval.lower > cell.primary->chance);
-  if (beyond) return text + beyond_the_plan(report, cell);
+  if (beyond && report.complete) return text + beyond_the_plan(report, cell);
   return text + fmt::format(
                     " This does not show that the difference cannot be {}: {} correct is compatible with the "
                     "answers ({} interval).",
@@ -67,11 +67,27 @@ std::string no_rejection(const StudyReport& report, const CellResult& cell, cons
                     short_percent(interval.level));
 }
 
+// A look that nobody planned has no alpha to spend.
+std::string without_claim(const StudyReport& report, const CellResult& cell, const std::string& p) {
+  const Interval& interval = cell.primary->interval;
+  return fmt::format("{}: {} ({}), {} interval {}; {}.", primary_in_words(report.design), p,
+                     report.design.side == "two-sided" ? "two-sided" : "one-sided: " + report.design.side,
+                     short_percent(interval.level), percent_range(interval), kNoClaim);
+}
+
+std::string primary_sentence(const StudyReport& report, const CellResult& cell) {
+  const std::string p = p_in_words(cell.primary->p.of(cell.primary->side));
+  if (!report.complete && !report.look) return without_claim(report, cell, p);
+  return rejects(cell.primary->critical, cell.correct) ? rejection(report, cell, p)
+                                                       : no_rejection(report, cell, p);
+}
+
 double least_p(std::size_t n, Side side) {
   return std::ldexp(1.0, (side == Side::TwoSided ? 1 : 0) - static_cast<int>(std::min<std::size_t>(n, 1000)));
 }
 
 std::string people_sentence(const StudyReport& report, const CellResult& cell) {
+  if (!cell.by_people) return " No examinee is complete, so nothing is said examinee by examinee.";
   const ExamineeLevelTest& test = *cell.by_people;
   const Side side = side_from_name(report.design.side);
   const auto n = static_cast<long>(test.examinees);
@@ -81,13 +97,14 @@ std::string people_sentence(const StudyReport& report, const CellResult& cell) {
       std::isnan(test.interval.lower)
           ? "all alike, so that no interval can be given"
           : fmt::format("{} interval {}", short_percent(test.interval.level), percent_range(test.interval));
-  std::string text = fmt::format(" Taken examinee by examinee ({}), the mean is {} correct ({}; {}): ", n,
-                                 percent(test.mean_proportion), spread, p_in_words(p));
+  std::string text = fmt::format(" Taken examinee by examinee ({}), the mean is {} correct ({}; {} {}): ", n,
+                                 percent(test.mean_proportion), spread,
+                                 side == Side::TwoSided ? "two-sided" : "one-sided", p_in_words(p));
+  if (!report.complete) return text + fmt::format("{}.", kNoClaim);
   const std::string people =
       report.run_mode == "simulated" ? "simulated examinees like these" : "people like these";
   if (least_p(test.examinees, side) > report.design.alpha) {
     return text + fmt::format("with {} this test cannot reach alpha {}, whatever they answer.",
-  if (!cell.by_people) return " No examinee is complete, so nothing is said examinee by examinee.";
                               examinees_word(report, n), report.design.alpha);
   }
   if (p <= report.design.alpha) {
@@ -98,23 +115,6 @@ std::string people_sentence(const StudyReport& report, const CellResult& cell) {
   return text + fmt::format("it is not shown that {} answer {} than by chance on the average.", people, than);
 }
 
-std::string sample_sentence(const StudyReport& report) {
-  long answers = 0;
-  for (const CellResult& cell : report.cells) answers += cell.trials;
-  std::string text = fmt::format("{} of {} planned {} completed the study; {} counted",
-                                 report.complete_examinees, report.planned_examinees,
-                                 report.run_mode == "simulated" ? "simulated examinees" : "examinees",
-                                 answers == 1 ? "1 answer is" : fmt::format("{} answers are", answers));
-  const auto voided = static_cast<long>(report.voided.size());
-  if (voided > 0)
-    text += fmt::format(", {} not",
-                        voided == 1 ? "1 voided trial is" : fmt::format("{} voided trials are", voided));
-  text += ".";
-  if (!report.design.question.empty()) text += fmt::format(" The question: \"{}\"", report.design.question);
-  return text;
-}
-
-std::string looks_sentence(const StudyReport& report) {
 long answers_not_counted(const StudyReport& report) {
   long others = 0;
   for (const CellResult& cell : report.cells)
@@ -130,18 +130,43 @@ std::string all_answers_sentence(const CellResult& cell) {
                      percent(static_cast<double>(cell.all->correct) / static_cast<double>(cell.all->trials)));
 }
 
+std::string sample_sentence(const StudyReport& report) {
+  long answers = 0;
+  for (const CellResult& cell : report.cells) answers += cell.trials;
+  std::string text = fmt::format("{} of {} planned {} completed the study; {} counted",
+                                 report.complete_examinees, report.planned_examinees,
+                                 report.run_mode == "simulated" ? "simulated examinees" : "examinees",
+                                 answers == 1 ? "1 answer is" : fmt::format("{} answers are", answers));
+  const long others = answers_not_counted(report);
+  if (others > 0) {
+    text += fmt::format(", those of the first {} to complete it; {} not", *report.sample,
+                        others == 1 ? "1 other answer is" : fmt::format("{} other answers are", others));
+  }
+  const auto voided = static_cast<long>(report.voided.size());
+  if (voided > 0)
+    text += fmt::format(", {} not",
+                        voided == 1 ? "1 voided trial is" : fmt::format("{} voided trials are", voided));
+  text += ".";
+  if (!report.design.question.empty()) text += fmt::format(" The question: \"{}\"", report.design.question);
+  return text;
+}
+
+std::string looks_sentence(const StudyReport& report) {
   std::vector<std::string> looks;
   for (const int look : report.design.looks) looks.push_back(std::to_string(look));
   return fmt::format("The protocol plans looks when exactly {} examinees are complete; none is due now.",
                      listed(looks));
 }
 
-}  // namespace
-  const long others = answers_not_counted(report);
-  if (others > 0) {
-    text += fmt::format(", those of the first {} to complete it; {} not", *report.sample,
-                        others == 1 ? "1 other answer is" : fmt::format("{} other answers are", others));
+std::string first_taken(const StudyReport& report) {
+  for (const LookEvent& look : report.planned_looks) {
+    if (look.planned == report.look->number && !look.utc.empty())
+      return fmt::format(" It was first taken on {}.", look.utc);
   }
+  return "";
+}
+
+}  // namespace
 
 std::string examinees_word(const StudyReport& report, long count) {
   const std::string kind = report.run_mode == "simulated" ? "simulated " : "";
@@ -178,17 +203,7 @@ std::string cell_summary(const StudyReport& report, const CellResult& cell) {
       cell.correct == 1 || cell.trials == 1 ? "was" : "were",
       percent(static_cast<double>(cell.correct) / static_cast<double>(cell.trials)));
   if (!cell.primary) return text;
-  const std::string p = p_in_words(cell.primary->p.of(cell.primary->side));
-std::string first_taken(const StudyReport& report) {
-  for (const LookEvent& look : report.planned_looks) {
-    if (look.planned == report.look->number && !look.utc.empty())
-      return fmt::format(" It was first taken on {}.", look.utc);
-  }
-  return "";
-}
-
-  text += " " + (rejects(cell.primary->critical, cell.correct) ? rejection(report, cell, p)
-                                                               : no_rejection(report, cell, p));
+  text += " " + primary_sentence(report, cell);
   return text + people_sentence(report, cell) + all_answers_sentence(cell);
 }
 
@@ -211,6 +226,7 @@ std::string comparison_summary(const StudyReport& report, const CellComparison& 
   const double p = wilcoxon ? comparison.signed_rank->p.two_sided : comparison.sign_flip->p.two_sided;
   const std::string named = fmt::format(
       "{}, two-sided {}", wilcoxon ? "Wilcoxon signed-rank" : "sign-flip permutation", p_in_words(p));
+  if (!report.complete) return text + fmt::format(" By {}: {}.", named, kNoClaim);
   if (least_p(comparison.examinees, Side::TwoSided) > report.design.alpha) {
     return text + fmt::format(" With {} no difference can reach alpha {} ({}).",
                               examinees_word(report, static_cast<long>(comparison.examinees)),

@@ -85,7 +85,8 @@ TextTable primary_table(const StudyReport& report) {
 
 TextTable people_table(const StudyReport& report) {
   TextTable table{.title = "Correct answers, examinee by examinee",
-                  .header = {"cell", "examinees", "mean", "standard deviation", "p",
+                  .header = {"cell", "examinees", "mean", "standard deviation",
+                             report.design.side == "two-sided" ? "two-sided p" : "one-sided p",
                              short_percent(report.options.level) + " interval of the mean"}};
   std::set<std::string> tests, intervals;
   for (const CellResult& cell : report.cells) {

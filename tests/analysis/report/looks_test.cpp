@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "analysis/report/report.hpp"
+#include "analysis/report/tables.hpp"
 #include "tests/analysis/report/fixture.hpp"
 
 namespace palpate::analysis {
 namespace {
 
+using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
@@ -19,7 +21,35 @@ StudyTable clear_cut(std::size_t examinees, bool looks) {
   return table;
 }
 
+const char* const kNone = "no claim before the planned sample";
+
 }  // namespace
+
+TEST(Looks, ClaimNothingBesideThePrimaryTestBeforeTheEnd) {
+  const StudyReport look = analyse(clear_cut(10, true));
+  EXPECT_THAT(look.summary[1], HasSubstr("Guessing is rejected"));  // what alpha is spent on
+  for (const std::size_t paragraph : {1u, 3u}) {
+    EXPECT_THAT(look.summary[paragraph], AllOf(HasSubstr("p = 0.00"), HasSubstr(kNone)));
+    EXPECT_THAT(look.summary[paragraph], Not(HasSubstr("people like these")));
+    EXPECT_THAT(look.summary[paragraph], Not(HasSubstr("larger than chance")));
+  }
+  EXPECT_THAT(look.summary[2], Not(HasSubstr("hardly guesses")));  // the other side, at the full alpha
+  EXPECT_THAT(look.people_claim, HasSubstr(kNone));
+  const StudyReport end = analyse(clear_cut(15, true));
+  EXPECT_THAT(end.summary[1], HasSubstr("people like these answer better than by chance"));
+  EXPECT_THAT(end.summary[3], HasSubstr("larger than chance explains"));
+  for (const std::string& paragraph : end.summary) EXPECT_THAT(paragraph, Not(HasSubstr(kNone)));
+}
+
+TEST(Looks, ThatNobodyPlannedClaimNothingAtAll) {
+  const StudyReport look = analyse(clear_cut(12, false), {.interim = true});
+  EXPECT_THAT(look.summary[1],
+              HasSubstr("Exact binomial test: p < 0.0001 (one-sided: greater), 95 % interval"));
+  for (std::size_t i = 1; i < look.summary.size(); ++i) {
+    EXPECT_THAT(look.summary[i], HasSubstr(kNone));
+    EXPECT_THAT(look.summary[i], Not(HasSubstr("Guessing is")));
+  }
+}
 
 // Python 3, for 20, 40 and 60 answers and what 2 - 2 Phi(z(0.975)/sqrt(t)) lets be spent:
 //   d = [1.0]; used = 0
@@ -69,6 +99,15 @@ TEST(Looks, ThatWerePlannedSayWhenTheyWereFirstTaken) {
   table.looks.clear();
   const StudyReport now = analyse(table, {.written_utc = "2003-12-09T08:00:00Z"});
   EXPECT_THAT(now.banners, Contains(HasSubstr("It was first taken on 2003-12-09T08:00:00Z.")));
+}
+
+TEST(Looks, OneSidedPSaysSo) {
+  StudyTable table = test::study_table(test::like_the_paper());
+  EXPECT_THAT(analyse(table).summary[1], HasSubstr("; one-sided p"));
+  EXPECT_EQ(people_table(analyse(table)).header[4], "one-sided p");
+  table.design.side = "two-sided";
+  EXPECT_THAT(analyse(table).summary[1], HasSubstr("; two-sided p"));
+  EXPECT_EQ(people_table(analyse(table)).header[4], "two-sided p");
 }
 
 }  // namespace palpate::analysis
