@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "analysis/report/report.hpp"
 #include "trials/study_file.hpp"
