@@ -47,7 +47,7 @@ struct StudyDesign {
 
 /// One examinee's sitting.
 struct SessionRow {
-  std::string session{};
+  int session = 1;  // number of this examinee's sittings, from 1: the exports' session_id
   std::string examinee{};
   std::string run_mode{};  // "study", "pilot", "practice", "simulated"
   std::string protocol_sha256{};
@@ -87,6 +87,7 @@ struct TrialRow {
   std::string response{};         // as answered: "1", "2"
   std::optional<bool> correct{};  // empty where there is no truth
   std::optional<double> response_time_s{};
+  std::string answered_utc{};  // ISO 8601 with the same number of digits everywhere; empty: not recorded
   bool voided = false;
   std::string void_reason{};
   std::vector<IntervalRow> intervals{};
@@ -111,10 +112,18 @@ struct FrozenPlan {
   std::string software_version{};
 };
 
+/// That results were read while the study ran, as its file has logged it.
+struct LookEvent {
+  std::string run_mode{};  // of the results that were read; empty: it does not say
+  int planned = 0;         // number of the look that the protocol plans; 0: nobody planned it
+  std::string utc{};       // ISO 8601
+  std::string text{};      // what the file says of it
+};
+
 struct StudyTable {
   StudyDesign design{};
   std::optional<FrozenPlan> frozen_plan{};
-  int interim_looks = 0;  // at the results, that were asked for before the planned sample was complete
+  std::vector<LookEvent> looks{};
   std::vector<SessionRow> sessions{};
   std::vector<TrialRow> trials{};
   std::vector<ForceCurve> curves{};

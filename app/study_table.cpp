@@ -10,6 +10,7 @@
 #include <set>
 #include <tuple>
 
+#include "app/look_log.hpp"
 #include "sim/io/sha256.hpp"
 
 namespace palpate::app {
@@ -60,7 +61,7 @@ namespace {
 
 analysis::SessionRow session_of(const std::string& protocol_sha256, const trials::SessionRow& session) {
   const trials::SessionFacts& facts = session.facts;
-  return {.session = std::to_string(session.id),
+  return {.session = session.number,
           .examinee = facts.examinee,
           .run_mode = std::string(trials::to_string(facts.run_mode)),
           .protocol_sha256 = protocol_sha256,  // a study file holds one protocol
@@ -138,7 +139,8 @@ void add_session(const trials::StudyFile& study, const trials::SessionRow& sessi
                            .correct_answer = std::to_string(trial.correct_interval),
                            .response = std::to_string(answer.response),
                            .correct = answer.correct,
-                           .response_time_s = answer.response_time};
+                           .response_time_s = answer.response_time,
+                           .answered_utc = answer.committed_utc};
     const auto reason = voided.find({session.id, answer.trial});
     row.voided = reason != voided.end();
     if (row.voided) row.void_reason = reason->second;
@@ -230,12 +232,7 @@ analysis::StudyTable read_study_table(const trials::StudyFile& study, bool curve
       voided[{*event.session, *event.trial}] = event.text;
     }
     if (event.kind == kPlanFrozen) table.frozen_plan = frozen_plan_of(event);
-    if (event.kind == kInterimLook) {
-      ++table.interim_looks;
-      table.notes.push_back(
-          fmt::format("The results were looked at before the planned sample was complete, on {}: {}.",
-                      event.utc, event.text));
-    }
+    if (const auto look = look_of(event)) table.looks.push_back(*look);
   }
   for (const trials::MergedPart& part : trials::merged_parts(study.events()))
     table.notes.push_back(fmt::format("Joined from the study file {}{}: {} sittings, receipt {}.", part.file,

@@ -5,11 +5,7 @@
 
 namespace palpate::app {
 
-/// What the kind of an event is called that records a look at the results before the planned sample was
-/// complete.
-constexpr std::string_view kInterimLook = "interim look";
-
-/// ... that holds the analysis plan, frozen before the first answer, as JSON.
+/// What the kind of an event is called that holds the analysis plan, frozen before the first answer, as JSON.
 constexpr std::string_view kPlanFrozen = "plan frozen";
 
 /// What a protocol fixed before the first answer, as the analysis reads it.

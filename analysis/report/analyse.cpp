@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "analysis/report/report.hpp"
+#include "analysis/report/sample.hpp"
 #include "analysis/report/select.hpp"
 #include "analysis/report/sentences.hpp"
 #include "analysis/statistics/result.hpp"
@@ -40,11 +41,12 @@ struct Counts {
   std::vector<std::map<std::size_t, OrderStratum>> sittings;  // likewise, by session
 };
 
-Counts count(const Selection& selection, std::vector<CellResult>& cells) {
+Counts count(const Selection& selection, const std::vector<const TrialRow*>& trials,
+             std::vector<CellResult>& cells) {
   Counts counts{.orders = std::vector<OrderCounts>(cells.size()),
                 .response_times = std::vector<std::vector<double>>(cells.size()),
                 .sittings = std::vector<std::map<std::size_t, OrderStratum>>(cells.size())};
-  for (const TrialRow* trial : selection.trials) {
+  for (const TrialRow* trial : trials) {
     CellResult& cell = cells[trial->cell];
     ExamineeCount& examinee = cell.by_examinee[selection.examinee_of[trial->session]];
     OrderCounts& order = counts.orders[trial->cell];
@@ -62,6 +64,21 @@ Counts count(const Selection& selection, std::vector<CellResult>& cells) {
   }
   for (const TrialRow* trial : selection.voided) ++cells[trial->cell].voided;
   return counts;
+}
+
+// Everybody's answers beside those that the tests count.
+void count_all(const Selection& selection, StudyReport& report) {
+  std::vector<AllAnswers> all(report.cells.size(),
+                              AllAnswers{.by_examinee = std::vector<ExamineeCount>(report.examinees.size())});
+  for (const TrialRow* trial : selection.trials) {
+    AllAnswers& cell = all[trial->cell];
+    ExamineeCount& examinee = cell.by_examinee[selection.examinee_of[trial->session]];
+    const long correct = *trial->correct ? 1 : 0;
+    ++cell.trials, ++examinee.trials;
+    cell.correct += correct, examinee.correct += correct;
+  }
+  for (std::size_t c = 0; c < all.size(); ++c)
+    if (all[c].trials > report.cells[c].trials) report.cells[c].all = std::move(all[c]);
 }
 
 // How unlike examinees are, as far as answers can tell: two examinees at least, two answers each, not all
@@ -87,10 +104,11 @@ void test_cell(CellResult& cell, const Counts& counts, std::size_t index, const 
   cell.spread = spread_of(cell, level);
   cell.d_prime = dprime_2ifc(cell.correct, cell.trials, DPrimeCorrection::HalfTrial, level);
   cell.bias = interval_bias(orders, DPrimeCorrection::HalfTrial, level);
+  // Each examinee weighs the same here, so one who has only begun has no place.
   std::vector<ExamineeCount> answered;
-  std::copy_if(cell.by_examinee.begin(), cell.by_examinee.end(), std::back_inserter(answered),
-               [](const ExamineeCount& count) { return count.trials > 0; });
-  cell.by_people = examinee_level_test(answered, kChance, {.level = level});
+  for (std::size_t i = 0; i < report.examinees.size(); ++i)
+    if (report.is_complete[i] && cell.by_examinee[i].trials > 0) answered.push_back(cell.by_examinee[i]);
+  if (!answered.empty()) cell.by_people = examinee_level_test(answered, kChance, {.level = level});
 }
 
 CellComparison compare(const CellResult& first, const CellResult& second, const StudyReport& report) {
@@ -103,7 +121,7 @@ CellComparison compare(const CellResult& first, const CellResult& second, const 
   double sum = 0.0;
   for (std::size_t i = 0; i < report.examinees.size(); ++i) {
     const ExamineeCount &a = first.by_examinee[i], &b = second.by_examinee[i];
-    if (a.trials == 0 || b.trials == 0) continue;
+    if (!report.is_complete[i] || a.trials == 0 || b.trials == 0) continue;
     differences.push_back(proportion(a) - proportion(b));
     sum += differences.back();
   }
@@ -116,18 +134,6 @@ CellComparison compare(const CellResult& first, const CellResult& second, const 
     comparison.signed_rank = signed_rank_test(differences, Zeros::Pratt, report.options.level);
   }
   return comparison;
-}
-
-// An examinee counts as complete who was asked all that the protocol plans; a voided trial was asked.
-long complete_examinees(const StudyDesign& design, const Selection& selection) {
-  std::vector<std::vector<int>> asked(selection.examinees.size(), std::vector<int>(design.cells.size(), 0));
-  for (const auto* trials : {&selection.trials, &selection.voided}) {
-    for (const TrialRow* trial : *trials) ++asked[selection.examinee_of[trial->session]][trial->cell];
-  }
-  const int needed = std::max(1, design.trials_per_examinee_per_cell);
-  return std::count_if(asked.begin(), asked.end(), [needed](const std::vector<int>& cells) {
-    return std::all_of(cells.begin(), cells.end(), [needed](int trials) { return trials >= needed; });
-  });
 }
 
 // Mean of what was recorded; empty when nothing was.
@@ -194,21 +200,39 @@ void take_sessions(const StudyTable& table, const Selection& selection, StudyRep
   for (const TrialRow* trial : selection.voided) {
     const SessionRow& session = table.sessions[trial->session];
     report.voided.push_back({.examinee = session.examinee,
-                             .session = session.session,
                              .cell = table.design.cells[trial->cell].name,
                              .reason = trial->void_reason,
+                             .session = session.session,
                              .trial = trial->trial});
   }
   std::copy_if(table.curves.begin(), table.curves.end(), std::back_inserter(report.curves),
                [&](const ForceCurve& curve) { return curve.run_mode == selection.run_mode; });
 }
 
+// Which answers the tests count. Whoever reads the results and goes on past the plan until they look well
+// would make false positives more frequent than alpha: so the planned number of examinees counts, and at a
+// look the number that it was planned at, in the order of completion.
+std::vector<const TrialRow*> take_sample(const Selection& selection, StudyReport& report) {
+  const std::vector<Completion> complete = completions(report.design, selection);
+  report.is_complete.assign(report.examinees.size(), false);
+  for (const Completion& one : complete) report.is_complete[one.examinee] = true;
+  report.complete_examinees = static_cast<long>(complete.size());
+  report.complete = report.complete_examinees >= report.planned_examinees;
+  report.look = look_due(report.design, report.complete_examinees);
+  report.withheld = !report.complete && !report.look && !report.options.interim;
+  if (!report.complete && !report.look) return selection.trials;
+  report.sample = std::min(report.complete_examinees, report.planned_examinees);
+  return answers_of_first(static_cast<std::size_t>(*report.sample), complete, report.design, selection);
+}
+
 void compute(const Selection& selection, StudyReport& report) {
+  const std::vector<const TrialRow*> counted = take_sample(selection, report);
   for (const Cell& cell : report.design.cells) {
     report.cells.push_back(
         {.name = cell.name, .by_examinee = std::vector<ExamineeCount>(report.examinees.size())});
   }
-  const Counts counts = count(selection, report.cells);
+  const Counts counts = count(selection, counted, report.cells);
+  count_all(selection, report);
   for (std::size_t i = 0; i < report.cells.size(); ++i) {
     report.cells[i].response_times = response_times(counts.response_times[i]);
     if (!report.withheld) test_cell(report.cells[i], counts, i, report);
@@ -218,6 +242,26 @@ void compute(const Selection& selection, StudyReport& report) {
       report.comparisons.push_back(compare(report.cells[i], report.cells[j], report));
     }
   }
+}
+
+// The looks at results of this run mode: who looks at what simulated observers answer has seen nothing of the
+// study. Of a planned look the first time counts; it gives the same whenever it is taken again.
+void take_looks(const StudyTable& table, StudyReport& report) {
+  std::map<int, LookEvent> planned;
+  const auto take = [&](const LookEvent& look) {
+    const auto [first, is_new] = planned.try_emplace(look.planned, look);
+    if (!is_new && look.utc < first->second.utc) first->second = look;
+  };
+  for (const LookEvent& look : table.looks) {
+    if (!look.run_mode.empty() && look.run_mode != report.run_mode) continue;
+    if (look.planned > 0)
+      take(look);
+    else
+      report.interim_looks.push_back(look);
+  }
+  if (report.look && !planned.contains(report.look->number))
+    take({.run_mode = report.run_mode, .planned = report.look->number, .utc = report.options.written_utc});
+  for (const auto& [number, look] : planned) report.planned_looks.push_back(look);
 }
 
 }  // namespace
@@ -231,14 +275,10 @@ StudyReport analyse(const StudyTable& table, const ReportOptions& options) {
                      .run_mode = selection.run_mode,
                      .planned_examinees = table.design.planned_examinees,
                      .examinees = selection.examinees,
-                     .frozen_plan = table.frozen_plan,
-                     .interim_looks = table.interim_looks};
+                     .frozen_plan = table.frozen_plan};
   take_sessions(table, selection, report);
-  report.complete_examinees = complete_examinees(table.design, selection);
-  report.complete = report.complete_examinees >= report.planned_examinees;
-  report.look = look_due(report.design, report.complete_examinees);
-  report.withheld = !report.complete && !report.look && !options.interim;
   compute(selection, report);
+  take_looks(table, report);
   report.stimuli = summarise_stimuli(table.design, selection);
   write_sentences(table.notes, report);
   return report;

@@ -12,16 +12,18 @@ namespace {
 
 void add_sample(const StudyReport& report, std::vector<std::string>& found) {
   if (report.complete_examinees == report.planned_examinees || (report.look && !report.complete)) return;
-  found.push_back(fmt::format("{} examinees are complete, {} were planned.", report.complete_examinees,
-                              report.planned_examinees));
+  found.push_back(fmt::format("{} examinees are complete, {} were planned{}.", report.complete_examinees,
+                              report.planned_examinees,
+                              report.sample ? "; the tests count those who completed first" : ""));
 }
 
 void add_looks(const StudyReport& report, std::vector<std::string>& found) {
-  if (report.interim_looks == 0) return;
+  const std::size_t looks = report.interim_looks.size();
+  if (looks == 0) return;
   found.push_back(
       fmt::format("The results were looked at {} before the planned sample was complete, without being "
                   "planned.",
-                  report.interim_looks == 1 ? "once" : fmt::format("{} times", report.interim_looks)));
+                  looks == 1 ? "once" : fmt::format("{} times", looks)));
 }
 
 void add_sessions(const StudyReport& report, std::vector<std::string>& found) {
@@ -76,6 +78,11 @@ std::vector<std::string> plan_in_words(const StudyReport& report) {
       design.between_models == "none" ? "nothing" : design.between_models,
       design.looks.empty() ? "; one look, at the end"
                            : fmt::format("; {} looks, {} spending", design.looks.size(), design.spending)));
+  for (const LookEvent& look : report.planned_looks) {
+    if (look.utc.empty()) continue;
+    words.push_back(fmt::format("Planned look {} of {} was first taken on {}.", look.planned,
+                                design.looks.size(), look.utc));
+  }
   return words;
 }
 

@@ -127,25 +127,37 @@ std::string analysis_plan(const StudyReport& report) {
         design.between_models == "sign-flip" ? " (planned)" : " (secondary)",
         design.between_models == "wilcoxon" ? " (planned)" : " (secondary)");
   }
-  return text + " No answer was excluded but voided trials; no exclusion rule was applied.";
+  if (!report.sample)
+    return text + " No answer was excluded but voided trials; no exclusion rule was applied.";
+  return text + fmt::format(
+                    " The tests count the first {} to complete all planned trials; of their answers none was "
+                    "excluded but voided trials, and no exclusion rule was applied.",
+                    examinees_word(report, *report.sample));
 }
 
 void add_sample_limits(const StudyReport& report, std::vector<std::string>& limits) {
   if (report.complete_examinees > report.planned_examinees) {
-    limits.push_back(
-        fmt::format("{} examinees are complete where {} were planned: the sample deviates from the plan.",
-                    report.complete_examinees, report.planned_examinees));
+    limits.push_back(fmt::format(
+        "{} examinees are complete where {} were planned. The tests count the first {} to "
+        "complete. The count with everybody is no part of the plan: were the results looked at on "
+        "the way, alpha does not hold for it.",
+        report.complete_examinees, report.planned_examinees, report.planned_examinees));
   }
   const auto unfinished = std::count_if(report.sessions.begin(), report.sessions.end(),
                                         [](const SessionRow& session) { return !session.finished; });
   if (unfinished > 0) {
-    limits.push_back(fmt::format("{} not finished; the answers given in {} are counted.",
-                                 counted(unfinished, "session is", "sessions are"),
-                                 unfinished == 1 ? "it" : "them"));
+    limits.push_back(fmt::format("{} not finished; {}.", counted(unfinished, "session is", "sessions are"),
+                                 report.sample
+                                     ? "no answer is counted of an examinee who is not complete"
+                                     : "the answers given so far are counted, but for what weighs each "
+                                       "examinee the same, where only complete ones enter"));
   }
   if (report.sessions.size() > report.examinees.size()) {
-    limits.push_back(
-        "Some examinees sat more than one session: all their answers are counted, as one examinee's.");
+    limits.push_back(report.sample
+                         ? "Some examinees sat more than one session: their answers are counted as one "
+                           "examinee's, up to the one that completes what was planned."
+                         : "Some examinees sat more than one session: all their answers are counted, as one "
+                           "examinee's.");
   }
   const auto resumed = std::count_if(report.sessions.begin(), report.sessions.end(),
                                      [](const SessionRow& session) { return session.times_resumed > 0; });
@@ -166,14 +178,15 @@ void add_sample_limits(const StudyReport& report, std::vector<std::string>& limi
   }
 }
 
-std::string spread_in_words(const CellResult& cell, double alpha) {
+std::string spread_in_words(const StudyReport& report, const CellResult& cell) {
   const BetaBinomial& spread = *cell.spread;
   const std::string found =
       fmt::format("overdispersion {} ({} interval {}; Tarone's test {})", decimals(spread.gamma.estimate, 2),
                   short_percent(spread.gamma.interval.level),
                   range(spread.gamma.interval, [](double value) { return decimals(value, 2); }),
                   p_in_words(spread.tarone.p));
-  return spread.tarone.p <= alpha
+  if (!report.complete) return fmt::format("{}: {}; {}.", cell.name, found, kNoClaim);
+  return spread.tarone.p <= report.design.alpha
              ? fmt::format(
                    "{}: examinees differ more than chance explains: {}. Read the examinee-level result.",
                    cell.name, found)
@@ -185,27 +198,29 @@ void add_test_limits(const StudyReport& report, std::vector<std::string>& limits
   long tested = 0;
   for (const CellResult& cell : report.cells) {
     if (!cell.primary) continue;
-    none *= 1 - cell.primary->critical.size;
+    none *= 1 - cell.primary->size;
     ++tested;
   }
   if (tested > 1) {
     limits.push_back(fmt::format(
         "Each of the {} primary tests has its own alpha of {}; were all answers guesses, at least "
-        "one would reject with probability {}.",
-        tested, report.design.alpha, number(1 - none)));
+        "one would reject with probability {}{}.",
+        tested, report.design.alpha, number(1 - none),
+        report.look && report.look->number > 1 ? ", at this look or at one before" : ""));
   }
   limits.push_back(
       "Answers of one examinee resemble each other when they are more than guesses. The pooled test stays "
       "exact, because it is about guessing; its interval and d' treat all answers as alike and may be too "
       "narrow for people in general.");
   for (const CellResult& cell : report.cells)
-    if (cell.spread) limits.push_back(spread_in_words(cell, report.design.alpha));
+    if (cell.spread) limits.push_back(spread_in_words(report, cell));
   for (const CellResult& cell : report.cells) {
     if (!cell.bias || cell.bias->p.two_sided > report.design.alpha) continue;
     limits.push_back(
         fmt::format("{}: {} of the answers named the first interval (against 1/2: {}). An interval is "
-                    "favoured, so the proportion correct understates the sensitivity; see d' by order.",
-                    cell.name, percent(cell.bias->share_first), p_in_words(cell.bias->p.two_sided)));
+                    "favoured, so the proportion correct understates the sensitivity; see d' by order{}.",
+                    cell.name, percent(cell.bias->share_first), p_in_words(cell.bias->p.two_sided),
+                    report.complete ? "" : fmt::format(" ({})", kNoClaim)));
   }
 }
 
@@ -259,6 +274,10 @@ std::vector<std::string> limits(const StudyReport& report, const std::vector<std
         fmt::format("{} voided and not counted; the reasons are listed.",
                     counted(static_cast<long>(report.voided.size()), "trial was", "trials were")));
   }
+  for (const LookEvent& look : report.interim_looks)
+    limits.push_back(
+        fmt::format("The results were looked at before the planned sample was complete, on {}: {}.", look.utc,
+                    look.text));
   limits.insert(limits.end(), notes.begin(), notes.end());
   return limits;
 }

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kChance = 0.5;  // of two intervals
 
-CriticalNumber critical_at(const StudyDesign& design, const LookTaken& look, long trials, Side side) {
+PlannedLook planned_look_at(const StudyDesign& design, const LookTaken& look, long trials, Side side) {
   std::vector<long> counts;
   for (int i = 0; i + 1 < look.number; ++i) {
     const long planned =
@@ -20,8 +20,7 @@ CriticalNumber critical_at(const StudyDesign& design, const LookTaken& look, lon
   const std::size_t now = counts.size() - 1;
   const long whole = long{design.planned_examinees} * design.trials_per_examinee_per_cell;
   if (look.number < look.of) counts.push_back(std::max(whole, trials + 1));
-  return planned_looks(counts, kChance, design.alpha, side, spending_from_name(design.spending))[now]
-      .critical;
+  return planned_looks(counts, kChance, design.alpha, side, spending_from_name(design.spending))[now];
 }
 
 }  // namespace
@@ -57,6 +56,7 @@ PrimaryTest primary_test(const StudyDesign& design, std::span<const OrderStratum
     const OrderRandomisationTest random = order_randomisation_test(sittings, design.alpha, test.side);
     test.p = random.p;
     test.critical = random.critical;
+    test.size = random.critical.size;
     test.under_guessing = random.under_guessing;
     test.method = random.method;
     return test;
@@ -64,8 +64,14 @@ PrimaryTest primary_test(const StudyDesign& design, std::span<const OrderStratum
   test.p = binomial.p;
   test.under_guessing = binomial_counts(test.trials, kChance);
   test.method = binomial.method;
-  test.critical = look ? critical_at(design, *look, test.trials, test.side)
-                       : critical_number(test.trials, kChance, design.alpha, test.side);
+  if (look) {
+    const PlannedLook at = planned_look_at(design, *look, test.trials, test.side);
+    test.critical = at.critical;
+    test.size = at.size;
+    return test;
+  }
+  test.critical = critical_number(test.trials, kChance, design.alpha, test.side);
+  test.size = test.critical.size;
   return test;
 }
 

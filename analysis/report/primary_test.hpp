@@ -25,7 +25,8 @@ struct PrimaryTest {
   double chance = 0.5, proportion = 0.0;
   Side side = Side::Greater;
   PValues p{};
-  CriticalNumber critical{};             // region of rejection
+  CriticalNumber critical{};  // region of rejection
+  double size = 0.0;          // probability that guessing is rejected here or at a planned look before
   std::vector<double> under_guessing{};  // probability of 0, 1, ... trials correct answers
   Interval interval{};                   // for the proportion, two-sided
   Interval bound{};                      // the one that belongs to `side`

@@ -31,15 +31,22 @@ struct ResponseTimes {
   double least = 0.0, lower_quartile = 0.0, median = 0.0, upper_quartile = 0.0, most = 0.0;
 };
 
+/// Everybody's answers under one cell, where the tests count only those of the first complete examinees.
+struct AllAnswers {
+  long correct = 0, trials = 0;
+  std::vector<ExamineeCount> by_examinee{};  // in the order of StudyReport::examinees
+};
+
 /// What was asked and answered under one cell. What cannot be computed (no answers) or must not be shown yet
 /// (the planned sample is not complete) is empty.
 struct CellResult {
   std::string name{};
-  long correct = 0, trials = 0, voided = 0;
-  std::vector<ExamineeCount> by_examinee{};  // in the order of StudyReport::examinees; trials may be 0
-  std::optional<PrimaryTest> primary{};      // on all answers together
-  std::optional<ExamineeLevelTest> by_people{};
-  std::optional<BetaBinomial> spread{};  // of examinees' proportions; empty where answers cannot tell
+  long correct = 0, trials = 0, voided = 0;      // answers that the tests count, see StudyReport::sample
+  std::vector<ExamineeCount> by_examinee{};      // in the order of StudyReport::examinees; trials may be 0
+  std::optional<AllAnswers> all{};               // where there are answers that are not counted
+  std::optional<PrimaryTest> primary{};          // on all counted answers together
+  std::optional<ExamineeLevelTest> by_people{};  // of complete examinees
+  std::optional<BetaBinomial> spread{};          // of examinees' proportions; empty where answers cannot tell
   std::optional<DPrime> d_prime{};
   std::optional<IntervalBias> bias{};
   std::optional<ResponseTimes> response_times{};  // where they were recorded
@@ -49,7 +56,7 @@ struct CellResult {
 /// `second`.
 struct CellComparison {
   std::string first{}, second{};
-  std::size_t examinees = 0;  // who answered under both
+  std::size_t examinees = 0;  // complete ones with answers counted under both
   double mean_difference = 0.0;
   std::optional<SignFlipTest> sign_flip{};
   std::optional<SignedRankTest> signed_rank{};
@@ -67,7 +74,8 @@ struct StimulusSummary {
 };
 
 struct VoidedTrial {
-  std::string examinee{}, session{}, cell{}, reason{};
+  std::string examinee{}, cell{}, reason{};
+  int session = 0;  // number of the examinee's sitting
   int trial = 0;
 };
 
@@ -83,9 +91,12 @@ struct StudyReport {
   std::vector<std::string> summary{};  // in plain words, a paragraph each
   long planned_examinees = 0, complete_examinees = 0;
   bool complete = false;            // the planned sample was reached
+  std::optional<long> sample{};     // the tests count so many examinees, the first to complete; empty: the
+                                    // sample is not complete, and all answers so far are counted
   std::optional<LookTaken> look{};  // where the protocol plans looks and one is due
   bool withheld = false;            // incomplete, no look due and none asked for: no test is in the report
   std::vector<std::string> examinees{};
+  std::vector<bool> is_complete{};  // one for each of them
   std::vector<CellResult> cells{};
   std::vector<CellComparison> comparisons{};
   std::vector<StimulusSummary> stimuli{};
@@ -93,9 +104,10 @@ struct StudyReport {
   std::vector<VoidedTrial> voided{};
   std::vector<SessionRow> sessions{};  // of this run mode
   std::optional<FrozenPlan> frozen_plan{};
-  int interim_looks = 0;                  // that were not planned
-  std::vector<std::string> plan{};        // what was fixed beforehand, a sentence each
-  std::vector<std::string> deviations{};  // from it, likewise
+  std::vector<LookEvent> interim_looks{};  // at results of this run mode, that were not planned
+  std::vector<LookEvent> planned_looks{};  // when each was first taken; this one as well
+  std::vector<std::string> plan{};         // what was fixed beforehand, a sentence each
+  std::vector<std::string> deviations{};   // from it, likewise
   std::string pooled_claim{}, people_claim{}, comparison_claim{};
   std::vector<std::string> method{};  // the method section, a paragraph each
   std::vector<std::string> limits{};

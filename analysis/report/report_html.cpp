@@ -117,7 +117,11 @@ std::string people_section(const StudyReport& report) {
                 report.examinees.size() > kMostRows
                     ? "Examinees by their percentage correct, in steps of 5 %. Dashed: chance."
                     : "Percentage correct of each examinee; a grey line joins the cells of one examinee. "
-                      "Dashed: chance.") +
+                      "Dashed: chance." +
+                          std::string(report.sample &&
+                                              *report.sample < static_cast<long>(report.examinees.size())
+                                          ? " A row without marks: an examinee who is not counted."
+                                          : "")) +
          html_table(people_table(report)) + paragraph(report.people_claim, "claim") + kEnd;
 }
 

@@ -12,7 +12,10 @@ namespace {
 ordered_json primary_json(const PrimaryTest& test) {
   ordered_json look = nullptr;
   if (test.look) {
-    look = {{"number", test.look->number}, {"of", test.look->of}, {"alpha_spent", test.look->spent}};
+    look = {{"number", test.look->number},
+            {"of", test.look->of},
+            {"alpha_spent", test.look->spent},
+            {"rejected_by_now_under_guessing", test.size}};
   }
   return {{"procedure", test.name == "paired-comparison" ? "binomial" : "randomisation"},
           {"correct", test.correct},
@@ -89,24 +92,35 @@ ordered_json plan_json(const StudyReport& report) {
               {"frozen_utc", report.frozen_plan->frozen_utc},
               {"software_version", report.frozen_plan->software_version}};
   }
+  ordered_json looks = ordered_json::array();
+  for (const LookEvent& look : report.planned_looks)
+    looks.push_back({{"number", look.planned},
+                     {"first_taken_utc", look.utc.empty() ? ordered_json(nullptr) : ordered_json(look.utc)}});
   return {{"frozen", frozen},
           {"words", report.plan},
           {"deviations", report.deviations},
-          {"unplanned_interim_looks", report.interim_looks}};
+          {"planned_looks_taken", looks},
+          {"unplanned_interim_looks", report.interim_looks.size()}};
 }
 
 ordered_json cell_json(const StudyReport& report, const CellResult& cell) {
   ordered_json examinees = ordered_json::array();
   for (std::size_t i = 0; i < report.examinees.size(); ++i) {
+    const bool counted = cell.by_examinee[i].trials > 0 || !cell.all;
+    const ExamineeCount& count = counted ? cell.by_examinee[i] : cell.all->by_examinee[i];
     examinees.push_back({{"examinee", report.examinees[i]},
-                         {"correct", cell.by_examinee[i].correct},
-                         {"trials", cell.by_examinee[i].trials}});
+                         {"correct", count.correct},
+                         {"trials", count.trials},
+                         {"counted", counted}});
   }
+  ordered_json all = nullptr;
+  if (cell.all) all = {{"correct", cell.all->correct}, {"trials", cell.all->trials}};
   const bool tested = cell.primary.has_value();
   return {{"cell", cell.name},
           {"correct", cell.correct},
           {"trials", cell.trials},
           {"voided", cell.voided},
+          {"all_answers", all},
           {"significant",
            tested ? ordered_json(rejects(cell.primary->critical, cell.correct)) : ordered_json(nullptr)},
           {"primary", tested ? primary_json(*cell.primary) : ordered_json(nullptr)},
@@ -195,10 +209,11 @@ ordered_json json_report(const StudyReport& report) {
           {"run_mode", report.run_mode},
           {"pseudo_haptic", report.pseudo_haptic},
           {"channel", report.channel},
-          {"interim", report.options.interim && !report.complete},
+          {"interim", report.options.interim && !report.complete && !report.look},
           {"withheld", report.withheld},
           {"planned_examinees", report.planned_examinees},
           {"complete_examinees", report.complete_examinees},
+          {"counted_examinees", plain_or_null(report.sample)},
           {"banners", report.banners},
           {"summary", report.summary},
           {"design", design_json(report.design)},

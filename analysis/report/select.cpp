@@ -12,6 +12,10 @@
 namespace palpate::analysis {
 namespace {
 
+std::string sitting(const SessionRow& session) {
+  return fmt::format("examinee {}, session {}", session.examinee, session.session);
+}
+
 [[noreturn]] void refuse(const std::string& message) {
   throw std::invalid_argument(message);
 }
@@ -45,11 +49,11 @@ void validate_trial(const StudyTable& table, const TrialRow& trial) {
                         (trial.response == "1" || trial.response == "2") &&
                         *trial.correct == (trial.response == trial.correct_answer);
   if (coherent || trial.voided) return;
-  refuse(fmt::format(
-      "session {}, trial {}: answer '{}' with correct answer '{}' contradicts what is recorded as "
-      "{}; a two-interval trial has answers 1 and 2",
-      table.sessions[trial.session].session, trial.trial, trial.response, trial.correct_answer,
-      !trial.correct ? "without truth" : (*trial.correct ? "correct" : "wrong")));
+  refuse(
+      fmt::format("{}, trial {}: answer '{}' with correct answer '{}' contradicts what is recorded as "
+                  "{}; a two-interval trial has answers 1 and 2",
+                  sitting(table.sessions[trial.session]), trial.trial, trial.response, trial.correct_answer,
+                  !trial.correct ? "without truth" : (*trial.correct ? "correct" : "wrong")));
 }
 
 std::string run_mode_of(const StudyTable& table, const ReportOptions& options) {
@@ -81,17 +85,17 @@ void validate_pool(const StudyTable& table, const std::vector<bool>& chosen) {
     const SessionRow& session = table.sessions[i];
     if (session.protocol_sha256 != table.design.protocol_sha256) {
       refuse(
-          fmt::format("session {} was run under protocol {}, the study's is {}: different protocols are not "
+          fmt::format("{} was run under protocol {}, the study's is {}: different protocols are not "
                       "pooled",
-                      session.session, session.protocol_sha256, table.design.protocol_sha256));
+                      sitting(session), session.protocol_sha256, table.design.protocol_sha256));
     }
     if (first == nullptr) first = &session;
     if (session.pseudo_haptic != first->pseudo_haptic || session.channel != first->channel) {
       refuse(
-          fmt::format("session {} ({}{}) and session {} ({}{}) do not present the same stimulus: haptic and "
+          fmt::format("{} ({}{}) and {} ({}{}) do not present the same stimulus: haptic and "
                       "pseudo-haptic sessions, or different channels, are never pooled",
-                      first->session, first->pseudo_haptic ? "pseudo-haptic, " : "haptic, ",
-                      first->pseudo_haptic ? first->channel : first->device, session.session,
+                      sitting(*first), first->pseudo_haptic ? "pseudo-haptic, " : "haptic, ",
+                      first->pseudo_haptic ? first->channel : first->device, sitting(session),
                       session.pseudo_haptic ? "pseudo-haptic, " : "haptic, ",
                       session.pseudo_haptic ? session.channel : session.device));
     }

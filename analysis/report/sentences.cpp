@@ -1,5 +1,7 @@
 #include "analysis/report/sentences.hpp"
 
+#include <fmt/core.h>
+
 #include "analysis/report/deviations.hpp"
 #include "analysis/report/method_section.hpp"
 #include "analysis/report/summary.hpp"
@@ -29,6 +31,11 @@ void write_sentences(const std::vector<std::string>& notes, StudyReport& report)
       "not pairs. A "
       "rejection says that " +
       people + " like these do better under one of them on the average.";
+  if (!report.complete) {
+    const std::string not_yet = fmt::format(" It is read when the sample is complete: {}.", kNoClaim);
+    report.people_claim += not_yet;
+    report.comparison_claim += not_yet;
+  }
   report.plan = plan_in_words(report);
   report.deviations = deviations(report);
   report.method = method_section(report);

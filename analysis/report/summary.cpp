@@ -59,7 +59,7 @@ std::string no_rejection(const StudyReport& report, const CellResult& cell, cons
   const Interval& interval = cell.primary->interval;
   const bool beyond = (report.design.side == "greater" && interval.upper < cell.primary->chance) ||
                       (report.design.side == "less" && interval.lower > cell.primary->chance);
-  if (beyond) return text + beyond_the_plan(report, cell);
+  if (beyond && report.complete) return text + beyond_the_plan(report, cell);
   return text + fmt::format(
                     " This does not show that the difference cannot be {}: {} correct is compatible with the "
                     "answers ({} interval).",
@@ -67,11 +67,27 @@ std::string no_rejection(const StudyReport& report, const CellResult& cell, cons
                     short_percent(interval.level));
 }
 
+// A look that nobody planned has no alpha to spend.
+std::string without_claim(const StudyReport& report, const CellResult& cell, const std::string& p) {
+  const Interval& interval = cell.primary->interval;
+  return fmt::format("{}: {} ({}), {} interval {}; {}.", primary_in_words(report.design), p,
+                     report.design.side == "two-sided" ? "two-sided" : "one-sided: " + report.design.side,
+                     short_percent(interval.level), percent_range(interval), kNoClaim);
+}
+
+std::string primary_sentence(const StudyReport& report, const CellResult& cell) {
+  const std::string p = p_in_words(cell.primary->p.of(cell.primary->side));
+  if (!report.complete && !report.look) return without_claim(report, cell, p);
+  return rejects(cell.primary->critical, cell.correct) ? rejection(report, cell, p)
+                                                       : no_rejection(report, cell, p);
+}
+
 double least_p(std::size_t n, Side side) {
   return std::ldexp(1.0, (side == Side::TwoSided ? 1 : 0) - static_cast<int>(std::min<std::size_t>(n, 1000)));
 }
 
 std::string people_sentence(const StudyReport& report, const CellResult& cell) {
+  if (!cell.by_people) return " No examinee is complete, so nothing is said examinee by examinee.";
   const ExamineeLevelTest& test = *cell.by_people;
   const Side side = side_from_name(report.design.side);
   const auto n = static_cast<long>(test.examinees);
@@ -81,8 +97,10 @@ std::string people_sentence(const StudyReport& report, const CellResult& cell) {
       std::isnan(test.interval.lower)
           ? "all alike, so that no interval can be given"
           : fmt::format("{} interval {}", short_percent(test.interval.level), percent_range(test.interval));
-  std::string text = fmt::format(" Taken examinee by examinee ({}), the mean is {} correct ({}; {}): ", n,
-                                 percent(test.mean_proportion), spread, p_in_words(p));
+  std::string text = fmt::format(" Taken examinee by examinee ({}), the mean is {} correct ({}; {} {}): ", n,
+                                 percent(test.mean_proportion), spread,
+                                 side == Side::TwoSided ? "two-sided" : "one-sided", p_in_words(p));
+  if (!report.complete) return text + fmt::format("{}.", kNoClaim);
   const std::string people =
       report.run_mode == "simulated" ? "simulated examinees like these" : "people like these";
   if (least_p(test.examinees, side) > report.design.alpha) {
@@ -97,6 +115,21 @@ std::string people_sentence(const StudyReport& report, const CellResult& cell) {
   return text + fmt::format("it is not shown that {} answer {} than by chance on the average.", people, than);
 }
 
+long answers_not_counted(const StudyReport& report) {
+  long others = 0;
+  for (const CellResult& cell : report.cells)
+    if (cell.all) others += cell.all->trials - cell.trials;
+  return others;
+}
+
+// What all answers give that are in the file, next to those that the plan counts.
+std::string all_answers_sentence(const CellResult& cell) {
+  if (!cell.all) return "";
+  return fmt::format(" With everybody's answers, which is not planned, {} of {} are correct ({}).",
+                     cell.all->correct, cell.all->trials,
+                     percent(static_cast<double>(cell.all->correct) / static_cast<double>(cell.all->trials)));
+}
+
 std::string sample_sentence(const StudyReport& report) {
   long answers = 0;
   for (const CellResult& cell : report.cells) answers += cell.trials;
@@ -104,6 +137,11 @@ std::string sample_sentence(const StudyReport& report) {
                                  report.complete_examinees, report.planned_examinees,
                                  report.run_mode == "simulated" ? "simulated examinees" : "examinees",
                                  answers == 1 ? "1 answer is" : fmt::format("{} answers are", answers));
+  const long others = answers_not_counted(report);
+  if (others > 0) {
+    text += fmt::format(", those of the first {} to complete it; {} not", *report.sample,
+                        others == 1 ? "1 other answer is" : fmt::format("{} other answers are", others));
+  }
   const auto voided = static_cast<long>(report.voided.size());
   if (voided > 0)
     text += fmt::format(", {} not",
@@ -118,6 +156,14 @@ std::string looks_sentence(const StudyReport& report) {
   for (const int look : report.design.looks) looks.push_back(std::to_string(look));
   return fmt::format("The protocol plans looks when exactly {} examinees are complete; none is due now.",
                      listed(looks));
+}
+
+std::string first_taken(const StudyReport& report) {
+  for (const LookEvent& look : report.planned_looks) {
+    if (look.planned == report.look->number && !look.utc.empty())
+      return fmt::format(" It was first taken on {}.", look.utc);
+  }
+  return "";
 }
 
 }  // namespace
@@ -151,21 +197,19 @@ std::string points_range(const Interval& interval) {
 }
 
 std::string cell_summary(const StudyReport& report, const CellResult& cell) {
-  if (cell.trials == 0) return cell.name + ": no answers were counted.";
+  if (cell.trials == 0) return cell.name + ": no answers were counted." + all_answers_sentence(cell);
   std::string text = fmt::format(
       "{}: {} of {} {} correct ({}).", cell.name, cell.correct, counted(cell.trials, "answer", "answers"),
       cell.correct == 1 || cell.trials == 1 ? "was" : "were",
       percent(static_cast<double>(cell.correct) / static_cast<double>(cell.trials)));
   if (!cell.primary) return text;
-  const std::string p = p_in_words(cell.primary->p.of(cell.primary->side));
-  text += " " + (rejects(cell.primary->critical, cell.correct) ? rejection(report, cell, p)
-                                                               : no_rejection(report, cell, p));
-  return text + people_sentence(report, cell);
+  text += " " + primary_sentence(report, cell);
+  return text + people_sentence(report, cell) + all_answers_sentence(cell);
 }
 
 std::string comparison_summary(const StudyReport& report, const CellComparison& comparison) {
   const std::string pair = fmt::format("{} against {}: ", comparison.first, comparison.second);
-  if (comparison.examinees == 0) return pair + "no examinee has answers counted under both.";
+  if (comparison.examinees == 0) return pair + "no complete examinee has answers counted under both.";
   const double points = 100 * comparison.mean_difference;
   std::string text =
       pair + (points == 0
@@ -182,6 +226,7 @@ std::string comparison_summary(const StudyReport& report, const CellComparison& 
   const double p = wilcoxon ? comparison.signed_rank->p.two_sided : comparison.sign_flip->p.two_sided;
   const std::string named = fmt::format(
       "{}, two-sided {}", wilcoxon ? "Wilcoxon signed-rank" : "sign-flip permutation", p_in_words(p));
+  if (!report.complete) return text + fmt::format(" By {}: {}.", named, kNoClaim);
   if (least_p(comparison.examinees, Side::TwoSided) > report.design.alpha) {
     return text + fmt::format(" With {} no difference can reach alpha {} ({}).",
                               examinees_word(report, static_cast<long>(comparison.examinees)),
@@ -215,8 +260,9 @@ std::vector<std::string> banners(const StudyReport& report) {
     banners.push_back(fmt::format(
         "PLANNED LOOK {} of {}: {} of {} planned examinees are complete. The numbers of correct answers that "
         "reject guessing are those of the alpha that this look may spend; p values and intervals do not know "
-        "of the looks.",
-        report.look->number, report.look->of, report.complete_examinees, report.planned_examinees));
+        "of the looks.{}",
+        report.look->number, report.look->of, report.complete_examinees, report.planned_examinees,
+        first_taken(report)));
   } else if (!report.complete) {
     banners.push_back(fmt::format(
         "{}: {} of {} planned examinees are complete.{}", report.withheld ? "NOT COMPLETE" : "INTERIM LOOK",

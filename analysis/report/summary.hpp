@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "analysis/report/report.hpp"
@@ -25,6 +26,10 @@ std::string primary_in_words(const StudyDesign& design);
 
 /// The interval of a difference of proportions in percentage points, cut to what a difference can be.
 std::string points_range(const Interval& interval);
+
+/// What stands with p and interval of whatever is not tested at the alpha of a planned look while the sample
+/// is not complete.
+constexpr std::string_view kNoClaim = "no claim before the planned sample";
 
 /// "examinees" or "simulated examinees".
 std::string examinees_word(const StudyReport& report, long count);

@@ -34,6 +34,14 @@ std::string order_cell(long correct, long trials) {
                      percent(static_cast<double>(correct) / static_cast<double>(trials)));
 }
 
+// An examinee's counted answers; where none is counted, all, and that they are not.
+std::string counts_of(const CellResult& cell, std::size_t examinee) {
+  const ExamineeCount& counted = cell.by_examinee[examinee];
+  if (counted.trials > 0 || !cell.all) return of(counted.correct, counted.trials);
+  const ExamineeCount& all = cell.all->by_examinee[examinee];
+  return of(all.correct, all.trials) + (all.trials > 0 ? ", not counted" : "");
+}
+
 }  // namespace
 
 TextTable primary_table(const StudyReport& report) {
@@ -77,7 +85,8 @@ TextTable primary_table(const StudyReport& report) {
 
 TextTable people_table(const StudyReport& report) {
   TextTable table{.title = "Correct answers, examinee by examinee",
-                  .header = {"cell", "examinees", "mean", "standard deviation", "p",
+                  .header = {"cell", "examinees", "mean", "standard deviation",
+                             report.design.side == "two-sided" ? "two-sided p" : "one-sided p",
                              short_percent(report.options.level) + " interval of the mean"}};
   std::set<std::string> tests, intervals;
   for (const CellResult& cell : report.cells) {
@@ -182,8 +191,7 @@ TextTable examinee_table(const StudyReport& report) {
   for (const CellResult& cell : report.cells) table.header.push_back(cell.name);
   for (std::size_t i = 0; i < report.examinees.size(); ++i) {
     std::vector<std::string> row{report.examinees[i]};
-    for (const CellResult& cell : report.cells)
-      row.push_back(of(cell.by_examinee[i].correct, cell.by_examinee[i].trials));
+    for (const CellResult& cell : report.cells) row.push_back(counts_of(cell, i));
     table.rows.push_back(row);
   }
   return table;
@@ -214,21 +222,21 @@ TextTable voided_table(const StudyReport& report) {
   TextTable table{.title = "Voided trials, not counted",
                   .header = {"examinee", "session", "trial", "cell", "reason"}};
   for (const VoidedTrial& trial : report.voided) {
-    table.rows.push_back(
-        {trial.examinee, trial.session, std::to_string(trial.trial), trial.cell, trial.reason});
+    table.rows.push_back({trial.examinee, std::to_string(trial.session), std::to_string(trial.trial),
+                          trial.cell, trial.reason});
   }
   return table;
 }
 
 TextTable session_table(const StudyReport& report) {
   TextTable table{.title = "Sessions",
-                  .header = {"session", "examinee", "begun (UTC)", "finished", "resumed", "device",
+                  .header = {"examinee", "session", "begun (UTC)", "finished", "resumed", "device",
                              "order from", "version"}};
   const bool scaled = std::any_of(report.sessions.begin(), report.sessions.end(),
                                   [](const SessionRow& session) { return session.force_scale != 1.0; });
   if (scaled) table.header.push_back("force scale");
   for (const SessionRow& session : report.sessions) {
-    table.rows.push_back({session.session, session.examinee, session.started_utc,
+    table.rows.push_back({session.examinee, std::to_string(session.session), session.started_utc,
                           session.finished ? "yes" : "no", std::to_string(session.times_resumed),
                           session.device, session.order_source, session.software_version});
     if (scaled) table.rows.back().push_back(number(session.force_scale));

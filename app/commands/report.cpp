@@ -1,6 +1,8 @@
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -11,9 +13,11 @@
 
 #include "analysis/report/write_report.hpp"
 #include "app/commands/commands.hpp"
+#include "app/look_log.hpp"
 #include "app/output.hpp"
 #include "app/study_table.hpp"
 #include "sim/io/atomic_file.hpp"
+#include "sim/io/file_error.hpp"
 
 namespace palpate::app {
 namespace {
@@ -23,14 +27,17 @@ struct ReportOptions {
   bool interim = false;
 };
 
-// An interim look is written into the study before it is shown, so that none stays unknown.
-void log_interim_look(const std::filesystem::path& path, const analysis::StudyReport& report) {
-  const trials::Protocol protocol = trials::read_study(path).protocol();
-  trials::StudyFile study = trials::open_study(path, protocol, PALPATE_VERSION);
-  study.add_event({.kind = std::string(kInterimLook),
-                   .text = fmt::format("run mode {}, {} of {} planned examinees complete", report.run_mode,
-                                       report.complete_examinees, report.planned_examinees),
-                   .utc = trials::utc_now()});
+// A look stays in the study for good, so whatever would keep its page from being written must fail before.
+void check_folder_of(const std::filesystem::path& page) {
+  const std::filesystem::path folder = page.has_parent_path() ? page.parent_path() : ".";
+  if (::access(folder.c_str(), W_OK | X_OK) != 0)
+    sim::throw_cannot(errno, "create a file in its folder", page);
+  if (std::filesystem::is_directory(page)) sim::throw_cannot(EISDIR, "replace", page);
+}
+
+std::string printed(const analysis::StudyReport& report, const std::string& format) {
+  if (format != "json") return analysis::text_report(report);
+  return analysis::json_report(report).dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 // A report never takes the place of something that is none.
@@ -54,18 +61,17 @@ void run_report(const ReportOptions& options) {
   if (!options.run_mode.empty()) asked.run_mode = options.run_mode;
   const analysis::StudyTable table = read_study_table(trials::read_study(options.study));
   const analysis::StudyReport report = analysis::analyse(table, asked);
-  if (options.interim && !report.complete) log_interim_look(options.study, report);
+  const std::string text = printed(report, options.format);
+  const std::string page = options.out.empty() ? "" : analysis::html_report(report);
+  if (!options.out.empty()) check_folder_of(options.out);
+  // A look is written into the study before it is shown, so that none stays unknown.
+  if (const auto look = look_to_log(report, table.looks)) log_look(options.study, *look);
 
   if (!options.out.empty()) {
-    sim::write_atomically(options.out, analysis::html_report(report));
+    sim::write_atomically(options.out, page);
     fmt::print(stderr, "Wrote {}\n", options.out);
   }
-  if (options.format == "json") {
-    fmt::print("{}\n",
-               analysis::json_report(report).dump(1, ' ', false, nlohmann::json::error_handler_t::replace));
-  } else {
-    fmt::print("{}", analysis::text_report(report));
-  }
+  fmt::print("{}", text);
 }
 
 }  // namespace

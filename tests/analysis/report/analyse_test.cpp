@@ -183,7 +183,7 @@ TEST(Sentences, HoldForOneExamineeAndForNoAnswers) {
   none.trials.clear();
   const StudyReport empty = analyse(none, {.interim = true});
   EXPECT_EQ(empty.summary[1], "kuroda: no answers were counted.");
-  EXPECT_EQ(empty.summary[3], "kuroda against sibille: no examinee has answers counted under both.");
+  EXPECT_EQ(empty.summary[3], "kuroda against sibille: no complete examinee has answers counted under both.");
 }
 
 TEST(Sentences, CallSimulatedAndPseudoHapticByTheirNames) {
@@ -267,7 +267,7 @@ TEST(Analyse, TellsThePlanAndWhatDeviatesFromIt) {
   table.frozen_plan->frozen_utc = "2003-12-04T08:00:00Z";
   EXPECT_THAT(analyse(table).plan, Contains(HasSubstr("after the first of these sessions had begun")));
 
-  table.interim_looks = 2;
+  table.looks.resize(2);
   table.design.planned_examinees = 12;
   table.sessions[3].finished = false;
   table.sessions[4].software_version = "0.2.0";

@@ -33,8 +33,7 @@ inline StudyTable study_table(const std::vector<std::vector<int>>& correct, int 
       .between_models = "sign-flip"};
   for (std::size_t e = 0; e < correct.size(); ++e) {
     const std::string number = std::to_string(e + 1);
-    table.sessions.push_back({.session = number,
-                              .examinee = (e < 9 ? "P0" : "P") + number,
+    table.sessions.push_back({.examinee = (e < 9 ? "P0" : "P") + number,
                               .run_mode = run_mode,
                               .protocol_sha256 = table.design.protocol_sha256,
                               .software_version = "0.1.0",

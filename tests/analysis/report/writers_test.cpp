@@ -154,6 +154,14 @@ TEST(HtmlReport, CarriesItsBannersAndItsPictures) {
   EXPECT_THAT(html, HasSubstr("aria-labelledby=\"answers-title answers-text\""));
 }
 
+// The examinee's first sitting is 1 here as it is in the exports, whoever sat before.
+TEST(JsonReport, NumbersSittingsAsTheExportsDo) {
+  const ordered_json json = json_report(analyse(paper_with_everything(), kOptions));
+  ASSERT_EQ(json["sessions"].size(), 15u);
+  for (const ordered_json& session : json["sessions"]) EXPECT_EQ(session["session"], 1);
+  EXPECT_EQ(json["voided"][0]["session"], 1);
+}
+
 // What a study with people and a device has: orders, response times, the loop's timing, each with its
 // picture.
 TEST(HtmlReport, ShowsOrdersResponseTimesAndTheLoop) {

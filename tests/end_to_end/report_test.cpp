@@ -1,0 +1,77 @@
+// What a look at the results leaves in the study file.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/end_to_end/program.hpp"
+#include "tests/trials/support/files.hpp"
+#include "tests/trials/support/raw_sql.hpp"
+
+namespace palpate {
+namespace {
+
+using nlohmann::json;
+using test::Outcome;
+using test::run;
+using testing::HasSubstr;
+using trials::test::sql_value;
+using trials::test::TemporaryFolder;
+
+class ReportEndToEnd : public testing::Test {
+ protected:
+  std::string file(const std::string& name) const { return (folder_ / name).string(); }
+  void simulate(const std::string& protocol, int examinees) const {
+    const Outcome made =
+        run({"simulate", std::string(PALPATE_SOURCE_DIR) + "/protocols/" + protocol, "--study", file("a.db"),
+             "--examinees", std::to_string(examinees), "--seed", "1"});
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+  }
+  json report(const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments{"report", file("a.db"), "--format", "json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome shown = run(arguments);
+    EXPECT_EQ(shown.exit_code, 0) << shown.err;
+    return json::parse(shown.out);
+  }
+  std::string events(const std::string& kind) const {
+    return sql_value(folder_ / "a.db", "SELECT count(*) FROM event WHERE kind = '" + kind + "'");
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(ReportEndToEnd, APlannedLookIsLoggedOnceAndIsNotHeldAgainstTheStudy) {
+  simulate("kuroda2003-sequential.toml", 10);
+  const json first = report({"--interim"});  // asked for, but it was planned
+  EXPECT_EQ(events("planned look"), "1");
+  const json again = report();
+  EXPECT_EQ(events("planned look"), "1");
+  EXPECT_EQ(events("interim look"), "0");
+  EXPECT_EQ(sql_value(folder_ / "a.db", "SELECT text FROM event WHERE kind = 'planned look'"),
+            "run mode simulated, look 1 of 3, 10 of 30 planned examinees complete");
+  EXPECT_EQ(again.at("plan").at("unplanned_interim_looks"), 0);
+  EXPECT_EQ(again.at("plan").at("planned_looks_taken").at(0).at("number"), 1);
+  EXPECT_EQ(again.at("plan").at("planned_looks_taken"), first.at("plan").at("planned_looks_taken"));
+  EXPECT_EQ(run({"verify", file("a.db")}).exit_code, 0);
+}
+
+TEST_F(ReportEndToEnd, ALookThatCannotBeWrittenIsNotLogged) {
+  simulate("kuroda2003.toml", 1);
+  const Outcome refused = run({"report", file("a.db"), "--interim", "--out", file("no_folder/report.html")});
+  EXPECT_EQ(refused.exit_code, 3);
+  EXPECT_THAT(refused.err, HasSubstr("cannot create a file in its folder"));
+  EXPECT_EQ(refused.out, "");
+  EXPECT_EQ(events("interim look"), "0");
+  report({"--interim"});
+  EXPECT_EQ(events("interim look"), "1");
+  EXPECT_EQ(report().at("plan").at("unplanned_interim_looks"), 1);
+}
+
+TEST_F(ReportEndToEnd, NumbersSittingsAsTheExportsDo) {
+  simulate("kuroda2003.toml", 2);
+  for (const json& session : report().at("sessions")) EXPECT_EQ(session.at("session"), 1);
+}
+
+}  // namespace
+}  // namespace palpate
