@@ -128,6 +128,10 @@ Trace StudyFile::load_trace(std::int64_t presentation) const {
   return stored ? decode(stored->first, stored->second) : Trace{};
 }
 
+void StudyFile::lock_for_sessions() {
+  stores_->lock.acquire(path());
+}
+
 void StudyFile::add_event(const EventRow& event) {
   guarded(path(), [&] {
     SQLite::Transaction transaction(stores_->database, SQLite::TransactionBehavior::IMMEDIATE);
