@@ -99,6 +99,12 @@ void Session::State::begin(const SessionFacts& facts, const std::vector<SessionR
     pending.push_back({.session = row.id, .draw = 0, .trial = std::move(trial)});
     stores.trials.add(pending.back());
   }
+  // Into the chain before anything is asked: an order can no more be altered before its answer than after.
+  stores.append({.session = row.id,
+                 .trial = {},
+                 .kind = std::string(event_kind::kBegun),
+                 .text = begun_text(stores.design, row, pending),
+                 .utc = row.started_utc});
 }
 
 void Session::State::resume(const SessionRow& unfinished, const SessionFacts& now) {

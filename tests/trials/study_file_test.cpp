@@ -38,7 +38,7 @@ TEST_F(StudyFileTest, IsMadeWithTheStudyInIt) {
   EXPECT_EQ(study.protocol_text, protocol_.text);
   EXPECT_EQ(study.protocol_sha256, protocol_.sha256);
   EXPECT_EQ(study.software_version, "0.1.0");
-  EXPECT_EQ(read_study(path_).protocol().conditions.size(), 2U);
+  EXPECT_EQ(read_study(path_).protocol().conditions.size(), protocol_.conditions.size());
 }
 
 TEST_F(StudyFileTest, IsOpenedAgainAndStaysTheSameStudy) {
@@ -194,8 +194,12 @@ TEST_F(StudyFileTest, LosesNothingWhenTheDiskIsFull) {
 TEST(Receipt, IsReadAsItIsPrinted) {
   const Receipt receipt{.entries = 120, .head = std::string(64, 'b')};
   EXPECT_EQ(parse_receipt(to_string(receipt)), receipt);
-  for (const char* text : {"", "120", "120-", "x-9f", "-1-aa", "120-zz"})
+  for (const char* text : {"", "120", "120-", "x-9f", "-1-aa", "120-zz", " ", "120-0123456789abcde"})
     EXPECT_THROW(parse_receipt(text), std::invalid_argument) << text;
+}
+
+TEST(Receipt, IsReadAsItIsWrittenByHand) {
+  EXPECT_EQ(parse_receipt(" 120-0123456789ABCDEF\n"), (Receipt{120, "0123456789abcdef"}));
 }
 
 }  // namespace
