@@ -73,6 +73,18 @@ const ChainParts::Chain& ChainParts::chain_of(std::int64_t entry) const {
   return found == chains_.end() ? chains_.back() : *found;
 }
 
+const ChainParts::Chain& ChainParts::chain_of_session(std::int64_t session) const {
+  const auto found = std::ranges::find_if(chains_, [&](const Chain& chain) {
+    return chain.part && session <= chain.sessions_before + chain.part->sessions;
+  });
+  return found == chains_.end() ? chains_.back() : *found;
+}
+
+bool ChainParts::lacks_site(const SessionRow& session) const {
+  const Chain& chain = chain_of_session(session.id);
+  return chain.part && !session.facts.examinee.starts_with(code_at_site(chain.part->site, ""));
+}
+
 SessionRow ChainParts::as_hashed(SessionRow session, std::int64_t entry) const {
   const Chain& chain = chain_of(entry);
   if (!chain.part || chain.part->site.empty()) return session;

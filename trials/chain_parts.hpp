@@ -28,6 +28,10 @@ class ChainParts {
   const std::vector<Chain>& chains() const { return chains_; }  // the file's own is the last
   const Chain& chain_of(std::int64_t entry) const;
 
+  const Chain& chain_of_session(std::int64_t session) const;
+  /// Whether a sitting's code lost the site's name that was put before it when its part was joined.
+  bool lacks_site(const SessionRow& session) const;
+
   SessionRow as_hashed(SessionRow session, std::int64_t entry) const;
   EventRow as_hashed(EventRow event) const;
 

@@ -60,6 +60,8 @@ DrawnTrial Session::State::draw_again() {
                                   row.number, next.trial.number, next.draw));
   next.trial = redraw(protocol, next.trial, generator);
   stores.trials.add(next);
+  const auto felt = presentations_of(stores.presentations.of_session(row.id), pending.front());
+  append_event(event_kind::kDrawnAgain, drawn_again_text(stores.design, next, felt));
   return next;
 }
 

@@ -88,9 +88,13 @@ class Session {
 void check_start(const std::filesystem::path& path, const Protocol& protocol, const SessionFacts& facts,
                  bool new_session);
 
+/// Refuses a code that a person and a simulated examinee would share: `session` is of `examinee`, and one of
+/// both, but not the other, is simulated.
+void check_not_shared(const SessionRow& session, std::string_view examinee, RunMode run_mode);
+
 /// Resumes the examinee's unfinished sitting of this run mode at its first unanswered trial (whose order is
 /// drawn again when any of it had been felt), or begins a new one. `study` and `protocol` must outlive the
-/// session.
+/// session. Until `study` is closed no other program leads a session in it: std::runtime_error when one does.
 Session start_session(StudyFile& study, const Protocol& protocol, const SessionFacts& facts,
                       bool new_session = false);
 

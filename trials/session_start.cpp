@@ -32,12 +32,29 @@ void check_resumable(const SessionRow& unfinished, const SessionFacts& facts) {
     refuse(fmt::format("was begun with the device \"{}\"", unfinished.facts.device));
 }
 
+}  // namespace
+
+void check_not_shared(const SessionRow& session, std::string_view examinee, RunMode run_mode) {
+  const bool simulated = session.facts.run_mode == RunMode::Simulated;
+  if (session.facts.examinee != examinee || simulated == (run_mode == RunMode::Simulated)) return;
+  throw std::invalid_argument(
+      simulated ? fmt::format("examinee {}: is a simulated examinee of this study; accepted: another code, "
+                              "or another study file",
+                              examinee)
+                : fmt::format("examinee {}: is a person in this study, and a simulated examinee of that code "
+                              "would be taken for them; accepted: another study file",
+                              examinee));
+}
+
+namespace {
+
 /// What start_session() refuses, given the sittings that the file holds.
 void check_against(const std::vector<SessionRow>& sessions, const SessionFacts& facts, bool new_session) {
   check_examinee_code(facts.examinee);
   std::vector<std::string> known;
   bool finished = false;
   for (const SessionRow& session : sessions) {
+    check_not_shared(session, facts.examinee, facts.run_mode);
     known.push_back(session.facts.examinee);
     finished |= session.facts.examinee == facts.examinee && session.facts.run_mode == facts.run_mode &&
                 session.ended_utc.has_value();
@@ -82,6 +99,12 @@ void Session::State::begin(const SessionFacts& facts, const std::vector<SessionR
     pending.push_back({.session = row.id, .draw = 0, .trial = std::move(trial)});
     stores.trials.add(pending.back());
   }
+  // Into the chain before anything is asked: an order can no more be altered before its answer than after.
+  stores.append({.session = row.id,
+                 .trial = {},
+                 .kind = std::string(event_kind::kBegun),
+                 .text = begun_text(stores.design, row, pending),
+                 .utc = row.started_utc});
 }
 
 void Session::State::resume(const SessionRow& unfinished, const SessionFacts& now) {
@@ -105,11 +128,12 @@ void check_start(const std::filesystem::path& path, const Protocol& protocol, co
 
 Session start_session(StudyFile& study, const Protocol& protocol, const SessionFacts& facts,
                       bool new_session) {
-  const auto sessions = study.sessions();
-  check_against(sessions, facts, new_session);
+  study.lock_for_sessions();
   auto state = std::unique_ptr<Session::State>(new Session::State{study, study.stores(), protocol});
   guarded(study.path(), [&] {
     SQLite::Transaction transaction(study.stores().database, SQLite::TransactionBehavior::IMMEDIATE);
+    const auto sessions = study.stores().sessions.all();
+    check_against(sessions, facts, new_session);
     const auto unfinished = new_session ? std::nullopt : find_unfinished(sessions, facts);
     if (unfinished)
       state->resume(*unfinished, facts);

@@ -30,7 +30,7 @@ struct Session::State {
   std::size_t condition() const;  // of the interval that runs or comes next
 
   void store_end(const IntervalRecord& record, std::string_view verdict);
-  DrawnTrial draw_again();  // stores the next draw of the current trial and returns it
+  DrawnTrial draw_again();  // stores the next draw of the current trial, with its event, and returns it
   void append_event(std::string_view kind, std::string_view text);
   void start_trial();  // the first interval comes next; writes nothing
 

@@ -167,7 +167,11 @@ void check_simulation(const std::filesystem::path& path, const Protocol& protoco
   std::vector<std::string> known;
   known.reserve(sessions.size());
   for (const SessionRow& session : sessions) known.push_back(session.facts.examinee);
-  for (int number = 1; number <= plan.examinees; ++number) check_not_near(simulated_code(number), known);
+  for (int number = 1; number <= plan.examinees; ++number) {
+    const std::string code = simulated_code(number);
+    check_not_near(code, known);
+    for (const SessionRow& session : sessions) check_not_shared(session, code, RunMode::Simulated);
+  }
 }
 
 void check_clamping(const Protocol& protocol, const Stimuli& stimuli, const ObserverParameters& observer) {
@@ -193,6 +197,7 @@ void check_clamping(const Protocol& protocol, const Stimuli& stimuli, const Obse
 SimulationReport simulate(StudyFile& study, const Protocol& protocol, const Stimuli& stimuli,
                           const SimulationPlan& plan, const Progress& progress) {
   check_observer(protocol, plan.observer);
+  study.lock_for_sessions();
   check_same_population(study.sessions(), plan);
   SimulationReport report;
   const std::vector<int> numbers = unfinished(study.sessions(), plan, report);

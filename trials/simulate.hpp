@@ -50,8 +50,9 @@ std::string person_purpose(std::string_view examinee);
 SessionFacts simulated_facts(const SimulationPlan& plan, int number);
 
 /// Runs simulated examinees until the study holds plan.examinees finished ones: those who had finished are
-/// kept, one who was cut off goes on. Each answer is on the disk before the next is asked for. The same seed
-/// gives the same answers, on any number of threads.
+/// kept, one who was cut off goes on. No other program leads sessions meanwhile (std::runtime_error). Each
+/// answer is on the disk before the next is asked for. The same seed gives the same answers, on any number of
+/// threads.
 SimulationReport simulate(StudyFile& study, const Protocol& protocol, const Stimuli& stimuli,
                           const SimulationPlan& plan, const Progress& progress);
 

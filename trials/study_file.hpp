@@ -88,7 +88,9 @@ struct AnswerRow {
 
 /// Kinds of events that mean something to this program; others are kept as they are.
 namespace event_kind {
-constexpr std::string_view kVoided = "voided";  // the trial does not count; the text is the reason
+constexpr std::string_view kVoided = "voided";           // the trial does not count; the text is the reason
+constexpr std::string_view kBegun = "session begun";     // the text: the sitting's facts, hash of its plan
+constexpr std::string_view kDrawnAgain = "drawn again";  // the text: the trial, hash of what was felt before
 constexpr std::string_view kInterrupted = "interrupted";
 constexpr std::string_view kResumed = "resumed";
 constexpr std::string_view kEnded = "session ended";
@@ -111,12 +113,14 @@ struct EventRow {
 /// Where the hash chain stands: printed as a receipt at a session's end, "120-9f86d0...".
 struct Receipt {
   std::int64_t entries = 0;
-  std::string head{};  // 64 hexadecimal digits
+  std::string head{};  // 64 hexadecimal digits; the first 16 or more, in one read from paper
 
   bool operator==(const Receipt&) const = default;
 };
 std::string to_string(const Receipt& receipt);
-Receipt parse_receipt(std::string_view text);  // throws std::invalid_argument
+/// Reads one that was printed or written down by hand: 16 or more of the head's digits, in any case, with
+/// spaces around. Throws std::invalid_argument.
+Receipt parse_receipt(std::string_view text);
 
 /// An open study file: one SQLite database. All SQL is in the stores behind it.
 /// Every function throws std::runtime_error that names the file when the disk refuses; what was committed
@@ -140,6 +144,10 @@ class StudyFile {
 
   /// Voids a trial (or answers to it later), with the reason; the answer stays.
   void add_event(const EventRow& event);
+
+  /// Keeps other programs from leading a session in this study until this file is closed, or the process
+  /// dies. Throws std::runtime_error when one does already, with its process id where the system tells it.
+  void lock_for_sessions();
 
   struct Stores;
   Stores& stores() { return *stores_; }  // for Session only

@@ -6,27 +6,13 @@
 
 #include "sim/io/sha256.hpp"
 #include "trials/chain_parts.hpp"
-#include "trials/session_state.hpp"
 #include "trials/store/file_check.hpp"
 #include "trials/store/schema.hpp"
 #include "trials/store/stores.hpp"
+#include "trials/verify_session.hpp"
 
 namespace palpate::trials {
 namespace {
-
-constexpr std::size_t kMostProblems = 100;  // enough to see what happened
-
-class Problems {
- public:
-  template <class... Values>
-  void add(fmt::format_string<Values...> format, Values&&... values) {
-    if (found_.size() < kMostProblems) found_.push_back(fmt::format(format, std::forward<Values>(values)...));
-  }
-  std::vector<std::string> take() { return std::move(found_); }
-
- private:
-  std::vector<std::string> found_;
-};
 
 void check_database(SQLite::Database& database, VerifyScope scope, Problems& problems) {
   if (scope == VerifyScope::Everything) {
@@ -45,73 +31,6 @@ void check_identity(const StudyRow& study, Problems& problems) {
   const auto scene = std::ranges::find(study.files, "scene", &FileHash::name);
   if (scene == study.files.end() || sim::sha256_hex(study.scene_text) != scene->sha256)
     problems.add("study: the scene's text does not have the hash that is stored with it");
-}
-
-void check_trace(const StudyFile::Stores& stores, const std::string& place, const PresentationRow& p,
-                 Problems& problems) {
-  const auto stored = stores.presentations.trace(p.id);
-  if (!stored) return problems.add("{}: its trace is missing", place);
-  if (sim::sha256_hex(stored->first) != p.trace_sha256)
-    return problems.add("{}: its trace does not have the hash that is stored with it", place);
-  try {
-    const ExplorationSummary summary = summarise(decode(stored->first, stored->second));
-    if (summary.presses != p.exploration.presses || summary.peak_force != p.exploration.peak_force ||
-        summary.max_depth != p.exploration.max_depth || summary.time != p.exploration.time)
-      problems.add("{}: presses, time, force or depth are not those of its trace", place);
-  } catch (const std::invalid_argument& error) {
-    problems.add("{}: {}", place, error.what());
-  }
-}
-
-/// The trial against the plan that was drawn, and what was shown against the trial.
-void check_answer(const Protocol& design, const std::string& place, const DrawnTrial& drawn,
-                  const std::vector<PresentationRow>& felt, const AnswerRow& answer, Problems& problems) {
-  const auto& order = drawn.trial.interval_condition;
-  const auto holds = std::ranges::find(order, design.correct);
-  if (holds == order.end() || drawn.trial.correct_interval != 1 + (holds - order.begin()))
-    problems.add("{}: the correct interval is not the one that held the correct condition", place);
-  if (answer.correct != (answer.response == drawn.trial.correct_interval))
-    problems.add("{}: whether the answer is correct does not follow from the order", place);
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const std::string& name = design.conditions[order[i]].name;
-    const bool shown = std::ranges::any_of(felt, [&](const PresentationRow& p) {
-      return p.interval == static_cast<int>(i + 1) && p.condition == name &&
-             p.verdict == to_string(Verdict::Enough);
-    });
-    if (!shown) problems.add("{}: interval {} was never shown as drawn and explored enough", place, i + 1);
-  }
-}
-
-/// Checks one sitting and gathers the text of each of its answers, by entry of the chain.
-void check_session(const StudyFile::Stores& stores, const ChainParts& chains, const SessionRow& session,
-                   VerifyScope scope, std::map<std::int64_t, std::string>& texts, VerifyReport& report,
-                   Problems& problems) {
-  const std::string who = fmt::format("examinee {}, sitting {}", session.facts.examinee, session.number);
-  const auto trials = stores.trials.of_session(session.id);
-  const auto presentations = stores.presentations.of_session(session.id);
-  const auto answers = stores.answers.of_session(session.id);
-  for (const PresentationRow& p : presentations)
-    if (p.complete && scope == VerifyScope::Everything)
-      check_trace(stores, fmt::format("{}, trial {}, interval {}", who, p.trial, p.interval), p, problems);
-  for (const AnswerRow& answer : answers) {
-    const std::string place = fmt::format("{}, trial {}", who, answer.trial);
-    const auto drawn = std::ranges::find_if(trials, [&](const DrawnTrial& trial) {
-      return trial.trial.number == answer.trial && trial.draw == answer.draw;
-    });
-    if (drawn == trials.end()) {
-      problems.add("{}: is answered but was never drawn", place);
-      continue;
-    }
-    const auto felt = presentations_of(presentations, *drawn);
-    check_answer(stores.design, place, *drawn, felt, answer, problems);
-    texts[answer.entry] =
-        canonical_text(stores.design, chains.as_hashed(session, answer.entry), *drawn, felt, answer);
-  }
-  if (session.ended_utc && static_cast<int>(answers.size()) != trials_per_session(stores.design))
-    problems.add("{}: has ended with {} answers of {}", who, answers.size(),
-                 trials_per_session(stores.design));
-  report.answers += static_cast<int>(answers.size());
-  report.presentations += static_cast<int>(presentations.size());
 }
 
 void check_chain(const StudyFile::Stores& stores, const ChainParts& chains,
@@ -153,11 +72,11 @@ void check_parts(const ChainParts& chains, const std::vector<LedgerEntry>& ledge
 /// entries, a part's those of the part.
 bool holds(const ChainParts& chains, const std::vector<LedgerEntry>& ledger, const Receipt& receipt) {
   return std::ranges::any_of(chains.chains(), [&](const ChainParts::Chain& chain) {
-    if (receipt.entries == 0) return receipt.head == chain.genesis;
+    if (receipt.entries == 0) return chain.genesis.starts_with(receipt.head);
     if (chain.part && receipt.entries > chain.entries) return false;
     const auto found =
         std::ranges::find(ledger, receipt.entries + (chain.part ? chain.before : 0), &LedgerEntry::entry);
-    return found != ledger.end() && found->hash == receipt.head;
+    return found != ledger.end() && found->hash.starts_with(receipt.head);
   });
 }
 
@@ -165,17 +84,19 @@ void check_receipt(const StudyFile::Stores& stores, const ChainParts& chains, co
                    Problems& problems) {
   const auto ledger = stores.ledger.all();
   if (holds(chains, ledger, receipt)) return;
+  const std::string unless = "the receipt does not fit (a slip of the pen?)";
   if (receipt.entries == 0)
-    problems.add("receipt: was printed for another study");
+    problems.add("{}: if it is what was printed, this is another study", unless);
   else if (receipt.entries > static_cast<std::int64_t>(ledger.size()))
     problems.add(
-        "receipt: was printed for {} entries, the file holds {}: it was cut back or is another study's",
-        receipt.entries, ledger.size());
+        "{}: it was printed for {} entries, the file holds {}; if it is what was printed, the file was cut "
+        "back or is another study's",
+        unless, receipt.entries, ledger.size());
   else
     problems.add(
-        "receipt: entry {} is not the one that the receipt was printed for: the file was rewritten or is "
-        "another study's",
-        receipt.entries);
+        "{}: entry {} is not the one that it was printed for; if it is what was printed, the file was "
+        "rewritten or is another study's",
+        unless, receipt.entries);
 }
 
 /// What the file was joined from; none, and a problem, when that cannot be read.
@@ -195,6 +116,9 @@ void check_rows(const std::filesystem::path& path, SQLite::Database database,
   check_database(database, scope, problems);
   check_identity(StudyStore(database).get(), problems);
   const StudyFile::Stores stores(path, std::move(database));
+  if (stores.design.name != stores.study.protocol_name)
+    problems.add("study: the protocol's name is \"{}\", its text says \"{}\"", stores.study.protocol_name,
+                 stores.design.name);
   std::map<std::int64_t, std::string> texts;
   const auto events = stores.events.all();
   report.parts = read_parts(events, problems);
@@ -203,10 +127,8 @@ void check_rows(const std::filesystem::path& path, SQLite::Database database,
     texts[event.entry] = canonical_text(chains.as_hashed(event));
     report.voided += event.kind == event_kind::kVoided ? 1 : 0;
   }
-  for (const SessionRow& session : stores.sessions.all()) {
-    check_session(stores, chains, session, scope, texts, report, problems);
-    ++report.sessions;
-  }
+  for (const SessionRow& session : stores.sessions.all())
+    check_session({stores, chains, events, session}, scope, texts, report, problems);
   check_chain(stores, chains, texts, problems);
   check_parts(chains, stores.ledger.all(), problems);
   if (receipt) check_receipt(stores, chains, *receipt, problems);

@@ -28,7 +28,11 @@ void print_text(const VerifyOptions& options, const trials::VerifyReport& report
   if (report.problems.empty())
     fmt::print("whole: database, schema, hashes, chain, order and traces fit together{}\n",
                options.receipt.empty() ? "" : ", and so does the receipt");
-  fmt::print("receipt {}\n", trials::to_string(report.receipt));
+  if (options.receipt.empty())
+    fmt::print(
+        "without a receipt (--receipt), cutting back at the end or rewriting from the start cannot be "
+        "seen\n");
+  if (!report.receipt.head.empty()) fmt::print("receipt {}\n", trials::to_string(report.receipt));
 }
 
 void run_verify(const VerifyOptions& options) {
@@ -36,16 +40,20 @@ void run_verify(const VerifyOptions& options) {
       options.receipt.empty() ? std::nullopt : std::optional(trials::parse_receipt(options.receipt));
   const trials::VerifyReport report = trials::verify_study(options.study, receipt);
   if (options.format == "json")
-    fmt::print("{}\n", nlohmann::ordered_json{{"study", options.study},
-                                              {"whole", report.problems.empty()},
-                                              {"problems", report.problems},
-                                              {"sessions", report.sessions},
-                                              {"answers", report.answers},
-                                              {"voided", report.voided},
-                                              {"presentations", report.presentations},
-                                              {"parts", parts_json(report.parts)},
-                                              {"receipt", trials::to_string(report.receipt)}}
-                           .dump(1));
+    fmt::print(
+        "{}\n",
+        nlohmann::ordered_json{{"study", options.study},
+                               {"whole", report.problems.empty()},
+                               {"problems", report.problems},
+                               {"sessions", report.sessions},
+                               {"answers", report.answers},
+                               {"voided", report.voided},
+                               {"presentations", report.presentations},
+                               {"parts", parts_json(report.parts)},
+                               {"receipt", report.receipt.head.empty()
+                                               ? nlohmann::ordered_json()
+                                               : nlohmann::ordered_json(trials::to_string(report.receipt))}}
+            .dump(1));
   else
     print_text(options, report);
   if (!report.problems.empty())
@@ -61,8 +69,10 @@ void add_verify(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("verify", "Checks that a study file is whole and was not tampered with");
   command->add_option("study", options->study, "Study file")->required();
-  command->add_option("--receipt", options->receipt,
-                      "A receipt printed at a session's end: also finds later rewriting or cutting back");
+  command->add_option(
+      "--receipt", options->receipt,
+      "A receipt printed at a session's end, or the first 16 digits of it and more: also finds "
+      "later rewriting or cutting back");
   add_format(*command, options->format);
   command->footer(
       "A file that palpate merge made holds its parts' chains as they were: their receipts hold as well.\n\n"

@@ -81,7 +81,7 @@ TEST_F(StudyEndToEnd, ResultsGoToStdoutAndAPipeShowsNoBar) {
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.err, "");
   EXPECT_THAT(outcome.out, HasSubstr("1 simulated examinees added"));
-  EXPECT_THAT(outcome.out, HasSubstr("receipt 9-"));  // eight answers and the session's end
+  EXPECT_THAT(outcome.out, HasSubstr("receipt 10-"));  // the session's beginning, eight answers and its end
 }
 
 TEST_F(StudyEndToEnd, AKilledSimulationGoesOnWhereItWas) {
@@ -112,13 +112,13 @@ TEST_F(StudyEndToEnd, CtrlCStopsWithEverythingOnTheDisk) {
 
 TEST_F(StudyEndToEnd, VerifyHoldsAReceiptAgainstTheFile) {
   const Outcome made = run(simulate("a.db", 1));
-  const std::string receipt = made.out.substr(made.out.find("receipt ") + 8, 2 + 64);
+  const std::string receipt = made.out.substr(made.out.find("receipt ") + 8, 3 + 64);
   const Outcome whole = run({"verify", file("a.db"), "--receipt", receipt, "--format", "json"});
   EXPECT_EQ(whole.exit_code, 0) << whole.err;
   EXPECT_TRUE(json::parse(whole.out).at("whole").get<bool>());
-  const Outcome other = run({"verify", file("a.db"), "--receipt", "9-" + std::string(64, 'a')});
+  const Outcome other = run({"verify", file("a.db"), "--receipt", "10-" + std::string(64, 'a')});
   EXPECT_EQ(other.exit_code, 1);
-  EXPECT_THAT(other.out, HasSubstr("receipt: entry 9 is not the one"));
+  EXPECT_THAT(other.out, HasSubstr("entry 10 is not the one"));
   EXPECT_EQ(run({"verify", file("a.db"), "--receipt", "nonsense"}).exit_code, 1);
 }
 

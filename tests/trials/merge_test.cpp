@@ -87,7 +87,7 @@ TEST_F(MergeTest, IsWholeAndEveryReceiptHolds) {
     EXPECT_THAT(verify_study(all, receipt).problems, IsEmpty()) << to_string(receipt);
   Receipt wrong = kyoto_;
   ++wrong.entries;
-  EXPECT_THAT(verify_study(all, wrong).problems, Contains(HasSubstr("receipt: entry")));
+  EXPECT_THAT(verify_study(all, wrong).problems, Contains(HasSubstr("the receipt does not fit")));
 }
 
 TEST_F(MergeTest, ASiteStandsBeforeItsCodesAndTheChainStillHolds) {
@@ -99,6 +99,22 @@ TEST_F(MergeTest, ASiteStandsBeforeItsCodesAndTheChainStillHolds) {
   for (const SessionRow& session : read_study(folder_ / "all.db").sessions())
     codes.push_back(session.facts.examinee);
   EXPECT_THAT(codes, testing::ElementsAre("Osaka-P01", "Osaka-P02", "Osaka-P010", "Third-P01", "Third-P010"));
+}
+
+// A code without its site would hash as the site hashed it: it must be missed, not mended.
+TEST_F(MergeTest, ACodeThatLostItsSiteIsFound) {
+  merge_studies(folder_ / "all.db", {{folder_ / "osaka.db", "Osaka"}, {folder_ / "kyoto.db"}}, "0.1.0");
+  tamper("session", "UPDATE session SET examinee = 'P01' WHERE examinee = 'Osaka-P01'");
+  EXPECT_THAT(verify_study(folder_ / "all.db").problems,
+              testing::ElementsAre("examinee P01, sitting 1: its code does not begin with its site, Osaka"));
+}
+
+TEST_F(MergeTest, AnOrderNotYetAnsweredCannotBeAlteredInAPart) {
+  merge_studies(folder_ / "all.db", {{folder_ / "osaka.db", "Osaka"}, {folder_ / "kyoto.db"}}, "0.1.0");
+  tamper("trial",
+         "UPDATE trial SET correct_interval = 3 - correct_interval WHERE session = 3 AND number = 4");
+  EXPECT_THAT(verify_study(folder_ / "all.db").problems,
+              testing::ElementsAre(HasSubstr("examinee Osaka-P010, sitting 1: its facts or orders are not")));
 }
 
 TEST_F(MergeTest, GoesOnAsAnyStudyDoes) {
@@ -122,10 +138,10 @@ TEST_F(MergeTest, NeverTouchesItsSources) {
 
 TEST_F(MergeTest, TamperingIsFoundInEveryPart) {
   const auto all = merged();
-  const std::string last_of_kyoto = std::to_string(osaka_.entries + 3);
-  tamper("answer", "UPDATE answer SET response = 3 - response, correct = 1 - correct WHERE entry IN (2, " +
+  const std::string last_of_kyoto = std::to_string(osaka_.entries + 5);
+  tamper("answer", "UPDATE answer SET response = 3 - response, correct = 1 - correct WHERE entry IN (4, " +
                        last_of_kyoto + ")");
-  EXPECT_THAT(verify_study(all).problems, Contains(HasSubstr("entry 2 was altered")));
+  EXPECT_THAT(verify_study(all).problems, Contains(HasSubstr("entry 4 was altered")));
   EXPECT_THAT(verify_study(all).problems, Contains(HasSubstr("entry " + last_of_kyoto + " was altered")));
 }
 

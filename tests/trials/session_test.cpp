@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <optional>
 #include <set>
@@ -170,7 +171,9 @@ TEST_F(SessionTest, AnInterruptionWithinTheProgramIsLogged) {
   EXPECT_EQ(session.phase(), Phase::Ready);
   EXPECT_EQ(session.pending()[0].draw, 1);
   EXPECT_EQ(study_->presentations(session.row().id).at(0).verdict, "interrupted");
-  EXPECT_EQ(study_->events().back().text, "the page was closed");
+  const auto events = study_->events();
+  EXPECT_EQ(events.at(events.size() - 2).text, "the page was closed");
+  EXPECT_EQ(events.back().kind, event_kind::kDrawnAgain);
   test::answer_all(session);
   EXPECT_TRUE(verify_study(path_).problems.empty());
 }
@@ -208,6 +211,28 @@ TEST_F(SessionTest, RefusesCodesThatReadLikeAnothers) {
   kill();
   EXPECT_THAT(refusal(test::facts_of("p1")), HasSubstr("reads like \"P01\""));
   EXPECT_THAT(refusal(test::facts_of("Mary Jones")), HasSubstr("never a name"));
+}
+
+// Two descriptors of one file exclude each other within a process as they do between two.
+TEST_F(SessionTest, OneProgramLeadsSessionsInAStudy) {
+  start();
+  StudyFile second = open_study(path_, protocol_, "0.1.0");
+  const std::string said =
+      test::message_of<std::runtime_error>([&] { start_session(second, protocol_, test::facts_of("P01")); });
+  EXPECT_EQ(said, path_.string() + ": another palpate is leading a session in this study (pid " +
+                      std::to_string(::getpid()) + "); wait for it, or stop it");
+  EXPECT_EQ(second.sessions().at(0).times_resumed, 0);
+  kill();
+  EXPECT_TRUE(start_session(second, protocol_, test::facts_of("P01")).view().resumed);
+}
+
+TEST_F(SessionTest, APersonAndASimulatedExamineeShareNoCode) {
+  start(test::facts_of("S01", RunMode::Pilot));
+  kill();
+  EXPECT_THAT(refusal(test::facts_of("S01", RunMode::Simulated)), HasSubstr("is a person in this study"));
+  start(test::facts_of("S02", RunMode::Simulated));
+  kill();
+  EXPECT_THAT(refusal(test::facts_of("S02")), HasSubstr("is a simulated examinee of this study"));
 }
 
 TEST_F(SessionTest, RefusesToGoOnWithAnotherSeedOrAnotherKindOfDevice) {

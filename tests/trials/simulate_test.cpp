@@ -136,6 +136,26 @@ TEST_F(SimulateTest, RefusesCodesThatReadLikeAPersons) {
               HasSubstr("\"S02\" is not in this study but reads like \"s-2\""));
 }
 
+TEST_F(SimulateTest, RefusesACodeThatIsAPersons) {
+  const auto& [protocol, stimuli] = Shared::get();
+  {
+    StudyFile study = open_study(folder_ / "a.db", protocol, "0.1.0");
+    start_session(study, protocol, test::facts_of("S02"));
+  }
+  EXPECT_NO_THROW(check_simulation(folder_ / "a.db", protocol, plan_for(1, 1)));
+  EXPECT_THAT(test::message_of<std::invalid_argument>(
+                  [&] { check_simulation(folder_ / "a.db", protocol, plan_for(2, 1)); }),
+              HasSubstr("examinee S02: is a person in this study"));
+}
+
+TEST_F(SimulateTest, OneProgramSimulatesInAStudy) {
+  const auto& [protocol, stimuli] = Shared::get();
+  StudyFile first = open_study(folder_ / "a.db", protocol, "0.1.0");
+  first.lock_for_sessions();
+  EXPECT_THAT(test::message_of<std::runtime_error>([&] { run("a.db", plan_for(1, 1)); }),
+              HasSubstr("another palpate is leading a session"));
+}
+
 TEST_F(SimulateTest, RefusesAnObserverWhoCannotFulfilTheProtocol) {
   SimulationPlan plan = plan_for(1, 7);
   plan.observer.depth.mean = 2e-3;

@@ -38,7 +38,7 @@ TEST_F(StudyFileTest, IsMadeWithTheStudyInIt) {
   EXPECT_EQ(study.protocol_text, protocol_.text);
   EXPECT_EQ(study.protocol_sha256, protocol_.sha256);
   EXPECT_EQ(study.software_version, "0.1.0");
-  EXPECT_EQ(read_study(path_).protocol().conditions.size(), 2U);
+  EXPECT_EQ(read_study(path_).protocol().conditions.size(), protocol_.conditions.size());
 }
 
 TEST_F(StudyFileTest, IsOpenedAgainAndStaysTheSameStudy) {
@@ -128,6 +128,33 @@ TEST_F(StudyFileTest, RefusesToChangeOrDeleteRows) {
   EXPECT_TRUE(verify_study(path_).problems.empty());
 }
 
+TEST_F(StudyFileTest, HoldsAllOfALoopsTimingOrNone) {
+  StudyFile study = open();
+  Session session = start_session(study, protocol_, test::facts_of("P01"));
+  session.begin_interval();
+  const std::string end =
+      "INSERT INTO presentation_end VALUES (1, '', 'enough', 1, 1.0, 1.0, 1.0, 0.0, NULL, 2.5, NULL)";
+  EXPECT_THAT(test::sql(path_, end), HasSubstr("CHECK constraint failed"));
+}
+
+TEST_F(StudyFileTest, AMissingTableIsDamage) {
+  open();
+  ASSERT_EQ(test::sql(path_, "DROP TABLE answer"), "");
+  const std::string said = test::message_of<std::invalid_argument>([&] { read_study(path_).answers(1); });
+  EXPECT_THAT(said, HasSubstr("the study file is damaged (no such table: answer)"));
+}
+
+TEST_F(StudyFileTest, ARowThatAnotherProgramWroteIsToldInWords) {
+  StudyFile study = open();
+  Session session = start_session(study, protocol_, test::facts_of("P01"));
+  ASSERT_EQ(test::sql(path_,
+                      "INSERT INTO presentation SELECT 9, session, number, draw, 1, 1, 'soft', '' FROM "
+                      "trial WHERE number = 1"),
+            "");
+  const std::string said = test::message_of<std::runtime_error>([&] { session.begin_interval(); });
+  EXPECT_THAT(said, HasSubstr("the study file refused a row that does not fit those it holds"));
+}
+
 TEST_F(StudyFileTest, KeepsEventsInTheChain) {
   StudyFile study = open();
   const Receipt before = study.receipt();
@@ -167,8 +194,12 @@ TEST_F(StudyFileTest, LosesNothingWhenTheDiskIsFull) {
 TEST(Receipt, IsReadAsItIsPrinted) {
   const Receipt receipt{.entries = 120, .head = std::string(64, 'b')};
   EXPECT_EQ(parse_receipt(to_string(receipt)), receipt);
-  for (const char* text : {"", "120", "120-", "x-9f", "-1-aa", "120-zz"})
+  for (const char* text : {"", "120", "120-", "x-9f", "-1-aa", "120-zz", " ", "120-0123456789abcde"})
     EXPECT_THROW(parse_receipt(text), std::invalid_argument) << text;
+}
+
+TEST(Receipt, IsReadAsItIsWrittenByHand) {
+  EXPECT_EQ(parse_receipt(" 120-0123456789ABCDEF\n"), (Receipt{120, "0123456789abcdef"}));
 }
 
 }  // namespace

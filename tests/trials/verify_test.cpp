@@ -61,17 +61,18 @@ TEST_F(VerifyTest, LooksWithoutTouching) {
 TEST_F(VerifyTest, AnAlteredAnswerIsFound) {
   tamper("UPDATE answer SET response = 3 - response WHERE trial = 2");
   EXPECT_THAT(problems(), Contains(HasSubstr("whether the answer is correct does not follow")));
-  EXPECT_THAT(problems(), Contains(HasSubstr("chain: entry 2 was altered")));
+  EXPECT_THAT(problems(), Contains(HasSubstr("chain: entry 3 was altered")));
 }
 
 TEST_F(VerifyTest, AnAnswerAlteredWithItsCorrectnessIsFoundByTheChain) {
   tamper("UPDATE answer SET response = 3 - response, correct = 1 - correct WHERE trial = 2");
-  EXPECT_THAT(problems(), testing::ElementsAre(HasSubstr("chain: entry 2 was altered")));
+  EXPECT_THAT(problems(), testing::ElementsAre(HasSubstr("chain: entry 3 was altered")));
 }
 
 TEST_F(VerifyTest, APilotSoldAsAStudyIsFound) {
   tamper("UPDATE session SET run_mode = 'pilot'");
-  EXPECT_THAT(problems(), Contains(HasSubstr("chain: entry 1 was altered")));
+  EXPECT_THAT(problems(), Contains(HasSubstr("chain: entry 2 was altered")));
+  EXPECT_THAT(problems(), Contains(HasSubstr("the chain says run mode=study, the file run mode=pilot")));
 }
 
 TEST_F(VerifyTest, AnOrderAlteredAfterwardsIsFound) {
@@ -144,10 +145,10 @@ TEST_F(VerifyTest, AFileThatIsNotWholeIsNotGoneOnWith) {
 TEST_F(VerifyTest, ACutBackFileIsFoundByTheReceipt) {
   tamper("DELETE FROM event WHERE kind = 'session ended'");
   tamper("DELETE FROM answer WHERE trial = 4");
-  tamper("DELETE FROM ledger WHERE entry > 3");
+  tamper("DELETE FROM ledger WHERE entry > 4");
   EXPECT_THAT(problems(), IsEmpty());
   EXPECT_THAT(verify_study(path_, receipt_).problems,
-              Contains(HasSubstr("receipt: was printed for 5 entries")));
+              Contains(HasSubstr("it was printed for 6 entries, the file holds 4")));
 }
 
 TEST_F(VerifyTest, AReceiptHoldsAfterMoreSittings) {
@@ -163,7 +164,90 @@ TEST_F(VerifyTest, AnotherStudysReceiptIsFound) {
   Session session = start_session(study, protocol_, test::facts_of("P01"));
   test::answer_all(session);
   EXPECT_THAT(verify_study(path_, session.receipt()).problems,
-              Contains(HasSubstr("not the one that the receipt")));
+              Contains(HasSubstr("not the one that it was printed for")));
+}
+
+// What is copied from the laboratory's book: some digits of the head, in capitals, with spaces around.
+TEST_F(VerifyTest, AReceiptMayBeCutShort) {
+  Receipt by_hand = receipt_;
+  by_hand.head.resize(16);
+  EXPECT_THAT(verify_study(path_, by_hand).problems, IsEmpty());
+  by_hand.head.back() = by_hand.head.back() == '0' ? '1' : '0';
+  EXPECT_THAT(verify_study(path_, by_hand).problems,
+              Contains(HasSubstr("the receipt does not fit (a slip of the pen?): entry 6")));
+}
+
+TEST_F(VerifyTest, AnotherProtocolsNameIsFound) {
+  tamper("UPDATE study SET protocol_name = 'another'");
+  EXPECT_THAT(problems(), Contains(HasSubstr("the protocol's name is \"another\"")));
+}
+
+/// A sitting that was cut off twice: in the second trial while an interval was felt, and again once it had
+/// been felt wholly. Two trials have never been asked.
+class CutOffTest : public VerifyTest {
+ protected:
+  CutOffTest() {
+    path_ = folder_ / "cut_off.db";
+    StudyFile study = open_study(path_, protocol_, "0.1.0");
+    Session session = start_session(study, protocol_, test::facts_of("P01"));
+    test::feel_both(session);
+    session.answer(1, 0.8, utc_now());
+    session.begin_interval();
+    session.interrupt(test::press_to(1e-3), "the page was closed");
+    test::feel_both(session);
+    session.interrupt({}, "the page was closed");
+  }
+};
+
+TEST_F(CutOffTest, IsWhole) {
+  EXPECT_THAT(problems(), IsEmpty());
+}
+
+TEST_F(CutOffTest, AnOrderNotYetAnsweredCannotBeAltered) {
+  tamper(
+      "UPDATE trial SET interval_order = CASE interval_order WHEN 'hard,soft' THEN 'soft,hard' ELSE "
+      "'hard,soft' END, correct_interval = 3 - correct_interval WHERE number = 4");
+  EXPECT_THAT(problems(),
+              testing::ElementsAre(HasSubstr("its facts or orders are not those that it was begun "
+                                             "with: the chain says plan=")));
+}
+
+TEST_F(CutOffTest, AnOrderDrawnAgainCannotBeAltered) {
+  tamper(
+      "UPDATE trial SET interval_order = CASE interval_order WHEN 'hard,soft' THEN 'soft,hard' ELSE "
+      "'hard,soft' END, correct_interval = 3 - correct_interval WHERE number = 2 AND draw = 1");
+  EXPECT_THAT(problems(), testing::ElementsAre(HasSubstr("trial 2, draw 1: the order, or what was felt")));
+}
+
+TEST_F(CutOffTest, ExposureThatLedToNoAnswerCannotBeAlteredOrDeleted) {
+  tamper("UPDATE presentation SET condition = 'hard' WHERE trial = 2 AND draw = 0");
+  tamper("UPDATE presentation SET condition = 'soft' WHERE trial = 2 AND draw = 1");
+  EXPECT_THAT(problems(), Contains(HasSubstr("trial 2, draw 2: the order, or what was felt before it")));
+  tamper("DELETE FROM trace WHERE presentation = 3");
+  tamper("DELETE FROM presentation_end WHERE presentation = 3");
+  tamper("DELETE FROM presentation WHERE id = 3");
+  EXPECT_THAT(problems(), Contains(AllOf(HasSubstr("trial 2, draw 1: the order, or what was felt before it"),
+                                         HasSubstr("the file presentations before=0"))));
+}
+
+TEST_F(CutOffTest, MissingTrialsAndDrawsAreFound) {
+  tamper("DELETE FROM trial WHERE number = 4");
+  tamper("DELETE FROM trial WHERE number = 2 AND draw = 2");
+  EXPECT_THAT(problems(), Contains(HasSubstr("trial 4: is missing")));
+  EXPECT_THAT(problems(), Contains(HasSubstr("1 trials of cell")));
+  EXPECT_THAT(problems(), Contains(HasSubstr("the chain tells of orders drawn again that are missing")));
+}
+
+TEST_F(CutOffTest, ASittingWithoutItsBeginningIsFound) {
+  tamper("DELETE FROM event WHERE kind = 'session begun'");
+  EXPECT_THAT(problems(), Contains(HasSubstr("sitting 1: 0 events of its beginning in the chain")));
+  EXPECT_THAT(problems(), Contains(HasSubstr("entry 1 has lost its answer or event")));
+}
+
+TEST_F(CutOffTest, ASittingWithoutAnswersIsInTheChain) {
+  const Receipt before = read_study(path_).receipt();
+  StudyFile study = open_study(path_, protocol_, "0.1.0");
+  EXPECT_NE(start_session(study, protocol_, test::facts_of("P02")).receipt(), before);
 }
 
 // Bits that fall over anywhere in the file: found, or refused; never a crash and never a whole file.

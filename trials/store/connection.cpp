@@ -25,6 +25,16 @@ bool has_write_ahead_log(const std::filesystem::path& file) {
   return !error && size > 0;
 }
 
+/// A write that the drive refuses takes nothing back of what was committed; of a read nothing is known.
+std::string told_io_error(const SQLite::Exception& error, const std::filesystem::path& file) {
+  const int what = error.getExtendedErrorCode();
+  const bool writing =
+      what == SQLITE_IOERR_WRITE || what == SQLITE_IOERR_FSYNC || what == SQLITE_IOERR_TRUNCATE;
+  return fmt::format("{}: the drive refused to {} the study file ({}){}", file.string(),
+                     writing ? "write" : "read or write", error.what(),
+                     writing ? "; every answer given before is kept, see to the drive and start again" : "");
+}
+
 }  // namespace
 
 SQLite::Database open_for_writing(const std::filesystem::path& file) {
@@ -43,6 +53,7 @@ void rethrow(const SQLite::Exception& error, const std::filesystem::path& file) 
   switch (error.getErrorCode()) {
     case SQLITE_CORRUPT:
     case SQLITE_NOTADB:
+    case SQLITE_ERROR:  // its statements are ours and fit a whole file: a table or column is missing
       throw std::invalid_argument(fmt::format(
           "{}: the study file is damaged ({}); `palpate verify` tells more, a backup copy is needed",
           file.string(), said));
@@ -50,6 +61,14 @@ void rethrow(const SQLite::Exception& error, const std::filesystem::path& file) 
       throw std::runtime_error(
           fmt::format("{}: the disk is full; every answer given before is kept, make room and start again",
                       file.string()));
+    case SQLITE_IOERR:
+      throw std::runtime_error(told_io_error(error, file));
+    case SQLITE_CONSTRAINT:
+      throw std::runtime_error(fmt::format(
+          "{}: the study file refused a row that does not fit those it holds ({}), and nothing of "
+          "this step was stored; another program wrote to it meanwhile, or it was altered: start "
+          "again, and run `palpate verify` on it if this comes back",
+          file.string(), said));
     case SQLITE_READONLY:
     case SQLITE_CANTOPEN:
     case SQLITE_PERM:
@@ -60,8 +79,7 @@ void rethrow(const SQLite::Exception& error, const std::filesystem::path& file) 
       throw std::runtime_error(
           fmt::format("{}: another program keeps the study file locked ({})", file.string(), said));
     default:
-      throw std::runtime_error(fmt::format(
-          "{}: the study file failed ({}); every answer given before is kept", file.string(), said));
+      throw std::runtime_error(fmt::format("{}: the study file failed ({})", file.string(), said));
   }
 }
 

@@ -51,8 +51,37 @@ void add(std::string& text, const PresentationRow& felt) {
   add(text, "trace", felt.trace_sha256);
 }
 
+void add(std::string& text, const SessionRow& session) {
+  add(text, "examinee", session.facts.examinee);
+  add(text, "sitting", session.number);
+  add(text, "run mode", to_string(session.facts.run_mode));
+  add(text, "started", session.started_utc);
+  add(text, "version", session.facts.software_version);
+  add(text, "machine", session.facts.machine);
+  add(text, "device", session.facts.device);
+  add(text, "pseudo-haptic", session.facts.pseudo_haptic ? 1 : 0);
+  add(text, "channel", session.facts.channel);
+  add(text, "force scale", std::optional(session.facts.force_scale));
+  add(text, "seed", session.facts.seed ? fmt::format("{}", *session.facts.seed) : std::string("entropy"));
+  add(text, "observer", session.facts.observer.value_or("null"));
+}
+
+void add(std::string& text, const Protocol& design, const DrawnTrial& drawn) {
+  std::vector<std::string> order;
+  for (const std::size_t condition : drawn.trial.interval_condition)
+    order.push_back(design.conditions.at(condition).name);
+  add(text, "trial", drawn.trial.number);
+  add(text, "draw", drawn.draw);
+  add(text, "block", drawn.trial.block);
+  add(text, "cell", design.cells.at(drawn.trial.cell).name);
+  add(text, "order", fmt::format("{}", fmt::join(order, ",")));
+  add(text, "correct interval", drawn.trial.correct_interval);
+}
+
 }  // namespace
 
+// Without the files' names: two sites may keep one scene or mesh, the same bytes, under different names, and
+// their joined file keeps the first site's. What a file is, is its hash; the name is only shown.
 std::string genesis(const StudyRow& study) {
   std::string text = "palpate study 1\n";
   add(text, "uuid", study.uuid);
@@ -69,28 +98,9 @@ std::string chain_hash(std::string_view previous_hash, std::string_view text) {
 
 std::string canonical_text(const Protocol& design, const SessionRow& session, const DrawnTrial& drawn,
                            const std::vector<PresentationRow>& felt, const AnswerRow& answer) {
-  std::vector<std::string> order;
-  for (const std::size_t condition : drawn.trial.interval_condition)
-    order.push_back(design.conditions.at(condition).name);
   std::string text = "answer\n";
-  add(text, "examinee", session.facts.examinee);
-  add(text, "sitting", session.number);
-  add(text, "run mode", to_string(session.facts.run_mode));
-  add(text, "started", session.started_utc);
-  add(text, "version", session.facts.software_version);
-  add(text, "machine", session.facts.machine);
-  add(text, "device", session.facts.device);
-  add(text, "pseudo-haptic", session.facts.pseudo_haptic ? 1 : 0);
-  add(text, "channel", session.facts.channel);
-  add(text, "force scale", std::optional(session.facts.force_scale));
-  add(text, "seed", session.facts.seed ? fmt::format("{}", *session.facts.seed) : std::string("entropy"));
-  add(text, "observer", session.facts.observer.value_or("null"));
-  add(text, "trial", drawn.trial.number);
-  add(text, "draw", drawn.draw);
-  add(text, "block", drawn.trial.block);
-  add(text, "cell", design.cells.at(drawn.trial.cell).name);
-  add(text, "order", fmt::format("{}", fmt::join(order, ",")));
-  add(text, "correct interval", drawn.trial.correct_interval);
+  add(text, session);
+  add(text, design, drawn);
   for (const PresentationRow& presentation : felt) add(text, presentation);
   add(text, "response", answer.response);
   add(text, "correct", answer.correct ? 1 : 0);
@@ -107,6 +117,28 @@ std::string canonical_text(const EventRow& event) {
   add(text, "kind", event.kind);
   add(text, "text", event.text);
   add(text, "utc", event.utc);
+  return text;
+}
+
+std::string begun_text(const Protocol& design, const SessionRow& session,
+                       const std::vector<DrawnTrial>& plan) {
+  std::string orders;
+  for (const DrawnTrial& drawn : plan) add(orders, design, drawn);
+  std::string text;
+  add(text, session);
+  add(text, "trials", static_cast<std::int64_t>(plan.size()));
+  add(text, "plan", sim::sha256_hex(orders));
+  return text;
+}
+
+std::string drawn_again_text(const Protocol& design, const DrawnTrial& next,
+                             const std::vector<PresentationRow>& felt_before) {
+  std::string exposure;
+  for (const PresentationRow& presentation : felt_before) add(exposure, presentation);
+  std::string text;
+  add(text, design, next);
+  add(text, "presentations before", static_cast<std::int64_t>(felt_before.size()));
+  add(text, "felt before", sim::sha256_hex(exposure));
   return text;
 }
 

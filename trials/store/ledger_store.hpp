@@ -27,6 +27,15 @@ std::string canonical_text(const Protocol& design, const SessionRow& session, co
                            const std::vector<PresentationRow>& felt, const AnswerRow& answer);
 std::string canonical_text(const EventRow& event);
 
+// The texts of two events, so that orders are in the chain before they are answered, and exposure is though
+// it led to no answer. One value a line: name=value.
+/// A sitting's facts, the number of its trials, and the SHA-256 of all of them as first drawn.
+std::string begun_text(const Protocol& design, const SessionRow& session,
+                       const std::vector<DrawnTrial>& plan);
+/// A trial as drawn again, and the SHA-256 of all that was felt of the draw that it replaces.
+std::string drawn_again_text(const Protocol& design, const DrawnTrial& next,
+                             const std::vector<PresentationRow>& felt_before);
+
 /// The chain over answers and events.
 class LedgerStore {
  public:

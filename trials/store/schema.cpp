@@ -78,7 +78,9 @@ CREATE TABLE presentation_end (
   clamped_fraction   REAL NOT NULL,
   loop_rate_hz       REAL,
   loop_p999_ms       REAL,
-  missed_cycles      INTEGER
+  missed_cycles      INTEGER,
+  CHECK ((loop_rate_hz IS NULL) = (loop_p999_ms IS NULL) AND
+         (loop_rate_hz IS NULL) = (missed_cycles IS NULL))
 ) STRICT;
 CREATE TABLE trace (
   presentation INTEGER PRIMARY KEY REFERENCES presentation_end (presentation),

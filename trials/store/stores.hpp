@@ -8,6 +8,7 @@
 #include "trials/store/event_store.hpp"
 #include "trials/store/ledger_store.hpp"
 #include "trials/store/presentation_store.hpp"
+#include "trials/store/session_lock.hpp"
 #include "trials/store/session_store.hpp"
 #include "trials/store/study_store.hpp"
 #include "trials/store/trial_store.hpp"
@@ -24,6 +25,7 @@ struct StudyFile::Stores {
         design(parse_protocol(study.protocol_text, path)) {}
 
   std::filesystem::path path;
+  SessionLock lock{};  // before the connection: it must outlive it
   SQLite::Database database;
   StudyRow study;
   Protocol design;
