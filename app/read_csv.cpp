@@ -88,7 +88,7 @@ std::vector<Row> split(const std::string& file, const std::string& text) {
 }
 
 bool is_number(const std::string& field) {
-  return analysis::read_finite(field).has_value();
+  return analysis::is_numeral(field);
 }
 
 // A line that names columns: no field is a number or a missing value.

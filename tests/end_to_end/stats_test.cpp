@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -15,6 +16,7 @@ namespace palpate::test {
 namespace {
 
 using nlohmann::json;
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
@@ -93,6 +95,19 @@ TEST_F(Stats, SaysWhatIsWrongAndWhatIsAccepted) {
   const Outcome column = run({"stats", "sign", file("bad.csv", "difference\n1\nx\n")});
   EXPECT_EQ(column.exit_code, 1);
   EXPECT_THAT(column.err, HasSubstr("bad.csv:3: difference is 'x'"));
+}
+
+// Whatever is thrown over a line, and whatever bytes it holds.
+// Before, they ended in Boost's own words, in "infinite", without memory, or not within a minute.
+TEST_F(Stats, TakesSeedsAndPValuesBeyondOtherNumbers) {
+  const std::string blocks = file("blocks.csv", "level,correct,trials\n1,10,20\n2,15,20\n3,18,20\n4,20,20\n");
+  const auto seeded = [&](const std::string& seed) {
+    return run({"stats", "psychometric", blocks, "--replicates", "199", "--seed", seed}).exit_code;
+  };
+  EXPECT_EQ(seeded("20240229120000"), 0);
+  EXPECT_EQ(seeded("-1"), 1);
+  EXPECT_EQ(seeded("99999999999999999999"), 1);
+  EXPECT_EQ(run({"stats", "adjust", "--p", "1e-200,0.01"}).exit_code, 0);
 }
 
 // Parts computed apart, on several machines say, are joined to the very bits of one run.
