@@ -80,6 +80,7 @@ void add_plan(CLI::App& app) {
       ->needs("--studies");
   add_format(*command, options->format);
   command->footer(
+      "Power is computed for cells of up to 20000 trials, 500 with balanced orders; --studies plays any.\n\n"
       "Examples:\n"
       "  palpate plan protocols/kuroda2003.toml --overdispersion 0.1\n"
       "  palpate plan protocols/kuroda2003.toml --freeze study.db\n"

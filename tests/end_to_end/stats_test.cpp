@@ -99,6 +99,38 @@ TEST_F(Stats, SaysWhatIsWrongAndWhatIsAccepted) {
 
 // Whatever is thrown over a line, and whatever bytes it holds.
 // Before, they ended in Boost's own words, in "infinite", without memory, or not within a minute.
+TEST_F(Stats, RefusesNumbersThatNoResultIsMadeOf) {
+  const auto refusal = [](const std::vector<std::string>& arguments) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+    EXPECT_THAT(outcome.out, IsEmpty());
+    return outcome.err;
+  };
+  const std::string magnitudes = "0, or of magnitude 1e-150 to 1e150";
+  EXPECT_THAT(refusal({"stats", "ttest", file("large.csv", "difference\n1e308\n1\n")}),
+              AllOf(HasSubstr("large.csv:2: difference is '1e308'"), HasSubstr(magnitudes)));
+  EXPECT_THAT(refusal({"stats", "ttest", file("small.csv", "1\n2\n3e-320\n")}),
+              AllOf(HasSubstr("small.csv:3: the value is '3e-320'"), HasSubstr(magnitudes)));
+  EXPECT_THAT(refusal({"stats", "permutation", file("first.csv", "-1e308\n1e999\n")}),
+              HasSubstr("first.csv:1: the value is '-1e308'"));
+  const std::string most = std::to_string(std::numeric_limits<long>::max());
+  EXPECT_THAT(refusal({"stats", "binomial", "--correct", most, "--trials", most}),
+              HasSubstr("correct is '" + most + "'; accepted: a whole number from 0 to 1000000000"));
+  EXPECT_THAT(refusal({"stats", "looks", "--trials", "1000000,2000000"}),
+              HasSubstr("accepted: up to 100000"));
+  EXPECT_THAT(refusal({"stats", "randomisation",
+                       file("orders.csv",
+                            "trials,correct_first,answers_first,correct\n"
+                            "1000000000,500000000,500000000,500000000\n")}),
+              HasSubstr("1000000000 trials in all; accepted: up to 10000"));
+  const std::string blocks =
+      file("blocks.csv", "level,correct,trials\n1,10,20\n2,15,20\n3,900000000,1000000000\n");
+  EXPECT_THAT(refusal({"stats", "psychometric", blocks}),
+              HasSubstr("1000000040 trials in all; accepted: up to 1000000, or replicates 0"));
+  EXPECT_THAT(refusal({"stats", "beta-binomial", file("many.csv", "correct,trials\n250000,400000\n5,10\n")}),
+              HasSubstr("400010 trials in the rows that differ from each other; accepted: up to 50000"));
+}
+
 TEST_F(Stats, TakesSeedsAndPValuesBeyondOtherNumbers) {
   const std::string blocks = file("blocks.csv", "level,correct,trials\n1,10,20\n2,15,20\n3,18,20\n4,20,20\n");
   const auto seeded = [&](const std::string& seed) {

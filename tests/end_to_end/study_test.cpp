@@ -76,6 +76,19 @@ TEST_F(StudyEndToEnd, OneSeedGivesTheSameAnswersTwice) {
   EXPECT_NE(answers("a.db"), answers("c.db"));
 }
 
+// CLI11 alone stores 2^64 - 1 for either, without a word.
+// A file may be called anything; JSON is UTF-8.
+TEST_F(StudyEndToEnd, APlanTooLargeToComputeIsRefused) {
+  std::string large = read(kProtocol);
+  const std::string planned = "planned_examinees = 15";
+  large.replace(large.find(planned), planned.size(), "planned_examinees = 100000");
+  large.replace(large.find("../data"), 7, std::string(PALPATE_SOURCE_DIR) + "/data");
+  write(file("large.toml"), large);
+  const Outcome outcome = run({"plan", file("large.toml")});
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.out;
+  EXPECT_THAT(outcome.err, HasSubstr("400000 trials in a cell (100000 examinees with 4 each)"));
+}
+
 TEST_F(StudyEndToEnd, ResultsGoToStdoutAndAPipeShowsNoBar) {
   const Outcome outcome = run(simulate("a.db", 1));
   EXPECT_EQ(outcome.exit_code, 0);
