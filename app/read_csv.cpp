@@ -7,7 +7,9 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -48,6 +50,27 @@ std::string read_whole(const std::filesystem::path& file) {
   if (in.bad()) throw std::system_error(std::make_error_code(std::errc::io_error), file.string());
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
   return text;
+}
+
+// What passes here can be printed as JSON: it is the same check.
+bool is_utf8(const std::string& text) {
+  try {
+    nlohmann::json(text).dump();
+    return true;
+  } catch (const nlohmann::json::type_error&) {
+    return false;
+  }
+}
+
+void require_utf8(const std::string& file, const std::string& text) {
+  if (is_utf8(text)) return;
+  std::istringstream lines(text);
+  std::string line;
+  for (long number = 1; std::getline(lines, line); ++number) {
+    if (is_utf8(line)) continue;
+    refuse(file, number,
+           "a byte that is no UTF-8; text is accepted in UTF-8 (in a spreadsheet: \"CSV UTF-8\")");
+  }
 }
 
 void take_field(void* text, std::size_t size, void* rows) {
@@ -111,7 +134,9 @@ void check_names(const std::string& file, const Row& header) {
 }  // namespace
 
 DataTable read_csv(const std::filesystem::path& file) {
-  const std::vector<Row> found = split(file.string(), read_whole(file));
+  const std::string text = read_whole(file);
+  require_utf8(file.string(), text);
+  const std::vector<Row> found = split(file.string(), text);
   DataTable table{.source = file.string()};
   const bool named = !found.empty() && is_header(found[0]);
   if (named) {

@@ -29,7 +29,7 @@ void play_studies(const PlanOptions& options, const trials::Protocol& protocol) 
   read_shard(options.shard, simulation);
   const nlohmann::ordered_json result = simulate_power(protocol, simulation);
   if (options.format == "json") {
-    fmt::print("{}\n", result.dump(2));
+    print_json(result);
   } else {
     fmt::print("{}", power_in_words(result));
   }
@@ -43,7 +43,7 @@ void run_plan(const PlanOptions& options) {
   if (options.format == "json") {
     nlohmann::ordered_json json = to_json(plan);
     if (!frozen.empty()) json["frozen"] = {{"study", options.freeze}, {"sha256", frozen}};
-    fmt::print("{}\n", json.dump(2));
+    print_json(json);
     return;
   }
   fmt::print("{}", in_words(plan));

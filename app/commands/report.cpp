@@ -44,8 +44,7 @@ void run_report(const ReportOptions& options) {
     fmt::print(stderr, "Wrote {}\n", options.out);
   }
   if (options.format == "json") {
-    fmt::print("{}\n",
-               analysis::json_report(report).dump(1, ' ', false, nlohmann::json::error_handler_t::replace));
+    print_json(analysis::json_report(report));
   } else {
     fmt::print("{}", analysis::text_report(report));
   }

@@ -30,7 +30,7 @@ void run_simulate(const SimulateOptions& options) {
                                          {"examinees_added", report.added},
                                          {"answers", report.answers},
                                          {"receipt", trials::to_string(result.receipt)}};
-    fmt::print("{}\n", json.dump(1));
+    print_json(json);
     return;
   }
   fmt::print("{}: {} simulated examinees added, {} resumed, {} had finished before; {} answers given\n",

@@ -58,7 +58,7 @@ void run_stats(const Procedure& procedure, const CLI::App& command, const Asked&
   const analysis::Outcome outcome = procedure.run(analysis::read_arguments(
       procedure, values, asked.file.empty() ? analysis::DataTable{} : read_csv(asked.file)));
   if (asked.format == "json") {
-    fmt::print("{}\n", outcome.json.dump(2));
+    print_json(outcome.json);
   } else {
     fmt::print("{}", outcome.text);
   }
@@ -86,7 +86,7 @@ void add_list(CLI::App& stats) {
       ->default_val("text");
   command->callback([format] {
     if (*format == "json") {
-      fmt::print("{}\n", procedures_as_json().dump(2));
+      print_json(procedures_as_json());
     } else {
       fmt::print("{}", *format == "markdown" ? procedures_as_markdown() : procedures_as_text());
     }
@@ -133,7 +133,11 @@ void merge(const std::vector<std::string>& files, const std::string& format) {
   } else {
     whole = analysis::merge_bootstrap(parts);
   }
-  fmt::print("{}", format == "json" ? whole.json.dump(2) + "\n" : whole.text);
+  if (format == "json") {
+    print_json(whole.json);
+  } else {
+    fmt::print("{}", whole.text);
+  }
 }
 
 void add_merge_of_parts(CLI::App& stats) {

@@ -142,6 +142,20 @@ TEST_F(Stats, TakesSeedsAndPValuesBeyondOtherNumbers) {
   EXPECT_EQ(run({"stats", "adjust", "--p", "1e-200,0.01"}).exit_code, 0);
 }
 
+TEST_F(Stats, SaysWhatAFileOfAnotherProgramLacks) {
+  const Outcome latin = run({"stats", "bradley-terry", file("latin.csv", "winner,loser\na,b\ncaf\xE9,b\n")});
+  EXPECT_EQ(latin.exit_code, 1);
+  EXPECT_THAT(latin.err, HasSubstr("latin.csv:3: a byte that is no UTF-8; text is accepted in UTF-8"));
+  for (const char* separator : {";", "\t"}) {
+    const std::string text = "difference" + std::string(separator) + "x\n1" + separator + "2\n";
+    const Outcome column = run({"stats", "sign", file("other.csv", text)});
+    EXPECT_EQ(column.exit_code, 1);
+    EXPECT_THAT(column.err, HasSubstr("x; columns are separated by commas"));
+    const Outcome matrix = run({"stats", "friedman", file("other.csv", text)});
+    EXPECT_THAT(matrix.err, HasSubstr("; columns are separated by commas"));
+  }
+}
+
 // Parts computed apart, on several machines say, are joined to the very bits of one run.
 TEST_F(Stats, PartsOfABootstrapMergeToOneRun) {
   const std::string data =

@@ -78,6 +78,17 @@ TEST_F(StudyEndToEnd, OneSeedGivesTheSameAnswersTwice) {
 
 // CLI11 alone stores 2^64 - 1 for either, without a word.
 // A file may be called anything; JSON is UTF-8.
+TEST_F(StudyEndToEnd, JsonIsWholeWhateverTheFileIsCalled) {
+  std::vector<std::string> command = simulate("caf\xE9.db", 1);
+  command.insert(command.end(), {"--format", "json"});
+  const Outcome simulated = run(command);
+  EXPECT_EQ(simulated.exit_code, 0) << simulated.err;
+  EXPECT_EQ(json::parse(simulated.out).at("study"), file("caf\xEF\xBF\xBD.db"));
+  const Outcome verified = run({"verify", file("caf\xE9.db"), "--format", "json"});
+  EXPECT_EQ(verified.exit_code, 0) << verified.err;
+  EXPECT_EQ(json::parse(verified.out).at("study"), file("caf\xEF\xBF\xBD.db"));
+}
+
 TEST_F(StudyEndToEnd, APlanTooLargeToComputeIsRefused) {
   std::string large = read(kProtocol);
   const std::string planned = "planned_examinees = 15";
