@@ -71,9 +71,9 @@ void add_plan(CLI::App& app) {
       ->excludes("--freeze");
   command->add_option("--observer", options->observer, "What they are like (default: observers/default.toml)")
       ->needs("--studies");
-  command->add_option("--seed", options->seed, "Of the simulated studies")
+  add_seed(*command, "Of the simulated studies", [options](std::uint64_t seed) { options->seed = seed; })
       ->needs("--studies")
-      ->capture_default_str();
+      ->default_str(std::to_string(options->seed));
   command
       ->add_option("--shard", options->shard,
                    "Play only part K of N of the studies, as K/N; palpate stats merge joins the parts")

@@ -77,6 +77,23 @@ TEST_F(StudyEndToEnd, OneSeedGivesTheSameAnswersTwice) {
 }
 
 // CLI11 alone stores 2^64 - 1 for either, without a word.
+TEST_F(StudyEndToEnd, ASeedThatIsNoneIsRefused) {
+  for (const char* seed : {"-1", "99999999999999999999", "0x10", "one"}) {
+    std::vector<std::vector<std::string>> commands = {
+        simulate("a.db", 1, seed),
+        {"demo", "--out", file("demo"), "--examinees", "1", "--seed", seed},
+        {"plan", kProtocol, "--studies", "1", "--seed", seed}};
+    for (const std::vector<std::string>& command : commands) {
+      const Outcome outcome = run(command);
+      EXPECT_EQ(outcome.exit_code, 2) << command.front() << ' ' << outcome.out;
+      EXPECT_THAT(outcome.err,
+                  HasSubstr("--seed: found " + std::string(seed) + ", accepted: a whole number"));
+    }
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "a.db"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "demo"));
+}
+
 // A file may be called anything; JSON is UTF-8.
 TEST_F(StudyEndToEnd, JsonIsWholeWhateverTheFileIsCalled) {
   std::vector<std::string> command = simulate("caf\xE9.db", 1);
