@@ -98,6 +98,33 @@ TEST_F(Stats, SaysWhatIsWrongAndWhatIsAccepted) {
 }
 
 // Whatever is thrown over a line, and whatever bytes it holds.
+TEST_F(Stats, NoLineEndsTheBatch) {
+  const std::string good = R"({"procedure": "critical", "trials": 60})";
+  const std::string batch =
+      file("batch.jsonl", R"({"procedure": "ttest", "data": {"difference": [1e308, 1]}})"
+                          "\n{\"id\": \"\xE9\"}\n" +
+                              std::string(100'000, '[') + "\n" +
+                              R"({"procedure": "randomisation", "id": 4, "data":)"
+                              R"( {"trials": [1e9], "correct_first": [0],)"
+                              R"( "answers_first": [0], "correct": [0]}})"
+                              "\n" +
+                              good + "\n");
+  const Outcome outcome = run({"stats", "batch", batch});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("4 lines could not be answered"));
+  const std::vector<json> lines = lines_of(outcome.out);
+  ASSERT_EQ(lines.size(), 5U);
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(lines[k]["line"], k + 1);
+  EXPECT_EQ(lines[3]["id"], 4);
+  EXPECT_EQ(lines[4]["at_least"], 37);
+}
+
+TEST_F(Stats, ABatchIsNoFolder) {
+  const Outcome outcome = run({"stats", "batch", std::filesystem::temp_directory_path()});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("is a folder; a file of JSON lines is accepted"));
+}
+
 // Before, they ended in Boost's own words, in "infinite", without memory, or not within a minute.
 TEST_F(Stats, RefusesNumbersThatNoResultIsMadeOf) {
   const auto refusal = [](const std::vector<std::string>& arguments) {
