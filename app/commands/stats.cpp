@@ -116,13 +116,35 @@ nlohmann::ordered_json read_part(const std::string& file) {
   throw std::invalid_argument(file + ": no JSON object; accepted: what --shard K/N --format json printed");
 }
 
+bool is_power(const nlohmann::ordered_json& part) {
+  return part.contains("kind") && part["kind"] == "power simulation";
+}
+
+// Reads all that is needed of a part before any are joined: what is wrong is said with the file's name.
+nlohmann::ordered_json checked_part(const std::string& file) {
+  nlohmann::ordered_json part = read_part(file);
+  const auto refuse = [&file](const char* what) {
+    throw std::invalid_argument(
+        fmt::format("{}: {}; accepted: what --shard K/N --format json printed", file, what));
+  };
+  try {
+    if (is_power(part)) {
+      check_power_part(part);
+    } else {
+      analysis::check_bootstrap_part(part);
+    }
+  } catch (const nlohmann::json::exception& error) {
+    refuse(error.what());
+  } catch (const std::invalid_argument& error) {
+    refuse(error.what());
+  }
+  return part;
+}
+
 void merge(const std::vector<std::string>& files, const std::string& format) {
   std::vector<nlohmann::ordered_json> parts;
   parts.reserve(files.size());
-  for (const std::string& file : files) parts.push_back(read_part(file));
-  const auto is_power = [](const nlohmann::ordered_json& part) {
-    return part.value("kind", "") == "power simulation";
-  };
+  for (const std::string& file : files) parts.push_back(checked_part(file));
   if (std::ranges::any_of(parts, is_power) && !std::ranges::all_of(parts, is_power))
     throw std::invalid_argument(
         "parts of a power simulation and others; accepted: all parts of one computation");

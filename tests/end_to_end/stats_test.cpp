@@ -224,6 +224,50 @@ TEST_F(Stats, PartsOfAPowerSimulationMergeToOneRun) {
   EXPECT_THAT(twice.err, HasSubstr("study 1 is in two parts"));
 }
 
+TEST_F(Stats, ADamagedPartIsNamed) {
+  const auto refusal = [this](const std::string& text) {
+    const Outcome outcome = run({"stats", "merge", file("part.json", text)});
+    EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("part.json: "));
+    EXPECT_THAT(outcome.err, HasSubstr("accepted: what --shard K/N --format json printed"));
+    return outcome.err;
+  };
+  refusal(R"({"kind": 5})");
+  refusal(R"({"procedure": 5})");
+  refusal(R"({"procedure": "psychometric", "bootstrap": {"values": {}}})");
+  refusal(R"({"kind": "power simulation", "from": 0})");
+  const auto power = [](const std::string& studies, const std::string& cells) {
+    return R"({"kind": "power simulation", "protocol": "p", "protocol_sha256": "s", "observer": {}, "seed": 1,)"
+           R"( "studies": )" +
+           studies + R"(, "from": 0, "to": 2, "cells": )" + cells + "}";
+  };
+  const std::string cell = R"([{"cell": "c", "rejected": 1}])";
+  EXPECT_THAT(refusal(power("1", cell)), HasSubstr("studies 1 to 2 of 1 contradict each other"));
+  EXPECT_THAT(refusal(power("2", "[]")), HasSubstr("no cells"));
+  EXPECT_THAT(refusal(power("2", R"([{"cell": "c", "rejected": 3}])")), HasSubstr("3 of 2 studies reject"));
+  EXPECT_EQ(run({"stats", "merge", file("part.json", power("2", cell))}).exit_code, 0);
+}
+
+TEST_F(Stats, PartsOfTwoProtocolsAreNotJoined) {
+  const auto part = [this](const std::string& name, const std::string& protocol, int from) {
+    const json text = {{"kind", "power simulation"},
+                       {"protocol", protocol},
+                       {"protocol_sha256", "s"},
+                       {"observer", json::object()},
+                       {"seed", 1},
+                       {"studies", 2},
+                       {"from", from},
+                       {"to", from + 1},
+                       {"cells", {{{"cell", "c"}, {"rejected", 1}}}}};
+    return file(name, text.dump());
+  };
+  const std::string first = part("1.json", "one", 0);
+  EXPECT_EQ(run({"stats", "merge", first, part("2.json", "one", 1)}).exit_code, 0);
+  const Outcome other = run({"stats", "merge", first, part("2.json", "other", 1)});
+  EXPECT_EQ(other.exit_code, 1);
+  EXPECT_THAT(other.err, HasSubstr("different simulations"));
+}
+
 // Made by `palpate stats list --format markdown > docs/procedures.md`.
 TEST_F(Stats, ThePageThatDocumentsThemIsUpToDate) {
   EXPECT_EQ(run({"stats", "list", "--format", "markdown"}).out,
