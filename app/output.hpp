@@ -1,6 +1,9 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
+#include <functional>
+#include <nlohmann/json.hpp>
 #include <string>
 
 namespace palpate::app {
@@ -11,5 +14,16 @@ inline void add_format(CLI::App& command, std::string& format) {
       ->check(CLI::IsMember({"text", "json"}))
       ->default_val("text");
 }
+
+/// Adds `--seed` to a command that draws. CLI11 alone takes -1 and all that is too large for 2^64 - 1.
+CLI::Option* add_seed(CLI::App& command, const std::string& meaning,
+                      const std::function<void(std::uint64_t)>& take);
+
+/// A result as text; bytes of file names and arguments that are no UTF-8 become U+FFFD, for a result is not
+/// lost over a name. Indent -1: one line.
+std::string json_text(const nlohmann::ordered_json& result, int indent = 1);
+
+/// The same on standard output, with a line end.
+void print_json(const nlohmann::ordered_json& result);
 
 }  // namespace palpate::app

@@ -94,10 +94,14 @@ ordered_json with_power(ordered_json result) {
   return result;
 }
 
+std::string name_of_cell(const ordered_json& cell) {
+  return cell.at("cell").get<std::string>();
+}
+
 bool same_simulation(const ordered_json& a, const ordered_json& b) {
-  for (const char* key : {"protocol_sha256", "observer", "seed", "studies"})
+  for (const char* key : {"protocol", "protocol_sha256", "observer", "seed", "studies"})
     if (a.value(key, ordered_json()) != b.value(key, ordered_json())) return false;
-  return a.at("cells").size() == b.at("cells").size();
+  return std::ranges::equal(a.at("cells"), b.at("cells"), {}, name_of_cell, name_of_cell);
 }
 
 }  // namespace
@@ -141,6 +145,25 @@ ordered_json simulate_power(const trials::Protocol& protocol, const PowerSimulat
   for (std::size_t cell = 0; cell < rejections.size(); ++cell)
     result["cells"].push_back({{"cell", protocol.cells[cell].name}, {"rejected", rejections[cell]}});
   return simulation.of == 1 ? with_power(result) : result;
+}
+
+void check_power_part(const ordered_json& part) {
+  for (const char* key : {"protocol", "protocol_sha256"}) part.at(key).get_ref<const std::string&>();
+  part.at("observer").get_ref<const ordered_json::object_t&>();
+  part.at("seed").get<std::uint64_t>();
+  const long from = part.at("from"), to = part.at("to"), studies = part.at("studies");
+  if (from < 0 || from > to || to > studies || studies < 1) {
+    throw std::invalid_argument(
+        fmt::format("studies {} to {} of {} contradict each other", from + 1, to, studies));
+  }
+  if (part.at("cells").get_ref<const ordered_json::array_t&>().empty())
+    throw std::invalid_argument("no cells");
+  for (const ordered_json& cell : part.at("cells")) {
+    const std::string name = name_of_cell(cell);
+    const long rejected = cell.at("rejected");
+    if (rejected >= 0 && rejected <= to - from) continue;
+    throw std::invalid_argument(fmt::format("{} of {} studies reject in cell {}", rejected, to - from, name));
+  }
 }
 
 ordered_json merge_power(const std::vector<ordered_json>& parts) {

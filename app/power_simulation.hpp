@@ -25,6 +25,10 @@ void read_shard(const std::string& text, PowerSimulation& simulation);
 /// merging needs; with one part it is the whole. Study k depends on the seed and k alone.
 nlohmann::ordered_json simulate_power(const trials::Protocol& protocol, const PowerSimulation& simulation);
 
+/// Throws nlohmann::json::exception or std::invalid_argument unless this has all that merging reads of a
+/// part.
+void check_power_part(const nlohmann::ordered_json& part);
+
 /// The whole from its parts, in any order, with the same bits as one run gives. Throws std::invalid_argument
 /// where parts are missing, overlap, or belong to different simulations.
 nlohmann::ordered_json merge_power(const std::vector<nlohmann::ordered_json>& parts);

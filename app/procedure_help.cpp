@@ -21,6 +21,7 @@ using nlohmann::ordered_json;
 std::string_view name_of(Input::Kind kind) {
   switch (kind) {
     case Input::Kind::Count:
+    case Input::Kind::Seed:
       return "whole number";
     case Input::Kind::Number:
       return "number";
@@ -31,6 +32,7 @@ std::string_view name_of(Input::Kind kind) {
     case Input::Kind::Counts:
       return "whole numbers";
     case Input::Kind::Numbers:
+    case Input::Kind::PValues:
       return "numbers";
     case Input::Kind::Switch:
       return "switch";

@@ -7,7 +7,9 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -50,6 +52,27 @@ std::string read_whole(const std::filesystem::path& file) {
   return text;
 }
 
+// What passes here can be printed as JSON: it is the same check.
+bool is_utf8(const std::string& text) {
+  try {
+    nlohmann::json(text).dump();
+    return true;
+  } catch (const nlohmann::json::type_error&) {
+    return false;
+  }
+}
+
+void require_utf8(const std::string& file, const std::string& text) {
+  if (is_utf8(text)) return;
+  std::istringstream lines(text);
+  std::string line;
+  for (long number = 1; std::getline(lines, line); ++number) {
+    if (is_utf8(line)) continue;
+    refuse(file, number,
+           "a byte that is no UTF-8; text is accepted in UTF-8 (in a spreadsheet: \"CSV UTF-8\")");
+  }
+}
+
 void take_field(void* text, std::size_t size, void* rows) {
   Row& row = static_cast<Rows*>(rows)->current;
   row.fields.emplace_back(static_cast<const char*>(text), size);
@@ -88,7 +111,7 @@ std::vector<Row> split(const std::string& file, const std::string& text) {
 }
 
 bool is_number(const std::string& field) {
-  return analysis::read_finite(field).has_value();
+  return analysis::is_numeral(field);
 }
 
 // A line that names columns: no field is a number or a missing value.
@@ -111,7 +134,9 @@ void check_names(const std::string& file, const Row& header) {
 }  // namespace
 
 DataTable read_csv(const std::filesystem::path& file) {
-  const std::vector<Row> found = split(file.string(), read_whole(file));
+  const std::string text = read_whole(file);
+  require_utf8(file.string(), text);
+  const std::vector<Row> found = split(file.string(), text);
   DataTable table{.source = file.string()};
   const bool named = !found.empty() && is_header(found[0]);
   if (named) {

@@ -4,13 +4,17 @@
 
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <system_error>
 
 #include "analysis/procedures/procedure.hpp"
 #include "analysis/words.hpp"
+#include "app/output.hpp"
 #include "app/read_csv.hpp"
 
 namespace palpate::app {
@@ -45,8 +49,16 @@ analysis::DataTable table_of(const ordered_json& data) {
   return table;
 }
 
-ordered_json answer(const std::string& text) {
-  ordered_json asked = ordered_json::parse(text);
+ordered_json parsed(const std::string& text) {
+  // What is deeper than any argument overflows the stack when it is written out.
+  static constexpr int kDeepest = 32;
+  return ordered_json::parse(text, [](int depth, ordered_json::parse_event_t, const ordered_json&) {
+    if (depth <= kDeepest) return true;
+    throw std::invalid_argument(fmt::format("brackets more than {} deep; accepted: fewer", kDeepest));
+  });
+}
+
+ordered_json answer(ordered_json asked) {
   if (!asked.is_object()) throw std::invalid_argument("the line is no JSON object");
   if (!asked.contains("procedure") || !asked["procedure"].is_string()) {
     throw std::invalid_argument(
@@ -67,32 +79,42 @@ ordered_json answer(const std::string& text) {
 }
 
 // What is wrong with a line, in one line.
-ordered_json refusal(long line, const std::string& text, const std::string& what) {
+ordered_json refusal(long line, const ordered_json& asked, const std::string& what) {
   ordered_json result;
   result["line"] = line;
-  const ordered_json asked = ordered_json::parse(text, nullptr, false);
   if (asked.is_object() && asked.contains("id")) result["id"] = asked["id"];
   result["error"] = what;
   return result;
 }
 
-long answer_all(std::istream& in) {
+// Whatever is thrown over a line is said in its place: the next line is answered all the same.
+ordered_json answer_or_refusal(long line, const std::string& text) {
+  ordered_json asked;
+  try {
+    asked = parsed(text);
+    return answer(asked);
+  } catch (const nlohmann::json::exception& error) {
+    return refusal(line, asked, fmt::format("no JSON as expected: {}", error.what()));
+  } catch (const std::invalid_argument& error) {
+    return refusal(line, asked, error.what());
+  } catch (const std::bad_alloc&) {
+    return refusal(line, asked, "more memory is needed than there is");
+  } catch (const std::exception& error) {
+    return refusal(line, asked, fmt::format("cannot be computed: {}", error.what()));
+  }
+}
+
+long answer_all(std::istream& in, const std::string& source) {
   std::string text;
   long refused = 0;
   for (long line = 1; std::getline(in, text); ++line) {
     if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
-    ordered_json result;
-    try {
-      result = answer(text);
-    } catch (const nlohmann::json::exception& error) {
-      result = refusal(line, text, fmt::format("no JSON as expected: {}", error.what()));
-    } catch (const std::invalid_argument& error) {
-      result = refusal(line, text, error.what());
-    }
+    const ordered_json result = answer_or_refusal(line, text);
     if (result.contains("error")) ++refused;
-    fmt::print("{}\n", result.dump());
+    fmt::print("{}\n", json_text(result, -1));
     std::fflush(stdout);
   }
+  if (in.bad()) throw std::system_error(std::make_error_code(std::errc::io_error), source);
   return refused;
 }
 
@@ -101,11 +123,14 @@ long answer_all(std::istream& in) {
 void run_batch(const std::string& file) {
   long refused = 0;
   if (file == "-") {
-    refused = answer_all(std::cin);
+    refused = answer_all(std::cin, "standard input");
   } else {
+    if (std::filesystem::is_directory(file)) {
+      throw std::invalid_argument(file + " is a folder; a file of JSON lines is accepted");
+    }
     std::ifstream in(file);
     if (!in) throw std::invalid_argument(file + ": cannot be opened: no such file, or no right to read it");
-    refused = answer_all(in);
+    refused = answer_all(in, file);
   }
   if (refused > 0) {
     throw std::invalid_argument(analysis::counted(refused, "line", "lines") +

@@ -24,6 +24,20 @@ constexpr double kTargetPower = 0.8;
 constexpr long kLargestSize =
     2000;  // trials searched; 55 % correct, the smallest effect listed, needs some 620
 
+constexpr long kMostTrials = 20'000;  // in a cell: the time of exact power grows with their square
+constexpr long kMostBalanced = 500;   // and so does that of each of the simulated studies
+
+void require_size(const trials::Protocol& protocol, bool coin) {
+  const long each = protocol.trials_per_examinee_per_cell, most = coin ? kMostTrials : kMostBalanced;
+  if (each * protocol.planned_examinees <= most) return;
+  throw std::invalid_argument(
+      fmt::format("{}: {} trials in a cell ({} examinees with {} each); accepted: up to {}{}, for every "
+                  "number of correct "
+                  "answers is counted; --studies plays studies of any size",
+                  protocol.name, each * protocol.planned_examinees, protocol.planned_examinees, each, most,
+                  coin ? "" : " with balanced orders"));
+}
+
 // True proportions between chance and certainty, in steps of 5 %, on the side that the test looks at.
 std::vector<double> proportions(Side side) {
   std::vector<double> values;
@@ -165,6 +179,7 @@ void refuse_if_late(const trials::StudyFile& study) {
 StudyPlan planned_regions(const trials::Protocol& protocol) {
   StudyPlan plan{.protocol = protocol};
   const StudyDesign design = design_of(protocol);
+  require_size(protocol, design.interval_order == "coin");
   plan.looks = looks_of(design);
   if (!plan.looks.empty())
     plan.critical = plan.looks.back().critical;
@@ -184,8 +199,8 @@ StudyPlan study_plan(const trials::Protocol& protocol, double overdispersion) {
   const Side side = side_from_name(design.side);
   const bool coin = design.interval_order == "coin";
   for (const double probability : proportions(side)) {
-    PowerRow row{.alike = primary_power(design, probability),
-                 .differing = primary_power(design, probability, overdispersion)};
+    PowerRow row{.alike = primary_power(design, probability)};
+    row.differing = overdispersion == 0 ? row.alike : primary_power(design, probability, overdispersion);
     row.d_prime = dprime_2ifc(std::lround(100 * probability), 100, DPrimeCorrection::None).d_prime;
     if (coin)
       row.size =

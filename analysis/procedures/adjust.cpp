@@ -18,7 +18,7 @@ std::vector<double> p_values(const Arguments& asked) {
     throw std::invalid_argument(
         "adjust needs the p values once: either p (such as 0.01,0.03) or data, a column p");
   }
-  return table ? number_column(asked.table, "p") : asked.numbers("p");
+  return table ? p_value_column(asked.table, "p") : asked.numbers("p");
 }
 
 Outcome adjust_outcome(const Arguments& asked) {
@@ -57,7 +57,7 @@ Procedure adjust_procedure() {
           "Choose "
           "one beforehand; all tests of a family go in, not only those that look well.",
       .inputs = {{.name = "p",
-                  .kind = Input::Kind::Numbers,
+                  .kind = Input::Kind::PValues,
                   .meaning = "The p values, where they are not in a file",
                   .optional = true}},
       .data = {.shape = Data::Shape::Columns,

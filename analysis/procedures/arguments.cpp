@@ -68,17 +68,25 @@ json read_single(const Input& input, const json& value, const Read& read, std::s
 json read_input(const Input& input, const json& value) {
   switch (input.kind) {
     case Input::Kind::Count:
-      return read_single(input, value, read_count, "a whole number");
+      return read_single(input, value, read_count, fmt::format("a whole number {}", kCountBounds));
+    case Input::Kind::Seed:
+      return read_single(input, value, read_seed, "a whole number from 0 to 9223372036854775807");
     case Input::Kind::Number:
-      return read_single(input, value, read_finite, "a finite number such as 0.25");
+      return read_single(input, value, read_number,
+                         fmt::format("a finite number such as 0.25: {}", kMagnitudeBounds));
     case Input::Kind::Fraction:
-      return read_single(input, value, read_fraction, "a fraction such as 1/2 or a number such as 0.5");
+      return read_single(input, value, read_fraction,
+                         fmt::format("a fraction such as 1/2 or a number such as 0.5: {}", kMagnitudeBounds));
     case Input::Kind::Choice:
       return read_choice(input, value);
     case Input::Kind::Counts:
-      return read_list(input, value, read_count, "whole numbers with commas between them");
+      return read_list(input, value, read_count,
+                       fmt::format("whole numbers {} with commas between them", kCountBounds));
     case Input::Kind::Numbers:
-      return read_list(input, value, read_finite, "numbers with commas between them");
+      return read_list(input, value, read_number,
+                       fmt::format("numbers with commas between them, each {}", kMagnitudeBounds));
+    case Input::Kind::PValues:
+      return read_list(input, value, read_finite, "numbers from 0 to 1 with commas between them");
     case Input::Kind::Switch:
       if (!value.is_boolean()) refuse(input, value, "true or false");
       return value;
@@ -115,7 +123,7 @@ void check_data(const Procedure& procedure, const DataTable& table) {
   if (rows(table) == 0) throw std::invalid_argument(table.source + ": no rows of data");
   if (data.shape == Data::Shape::Columns) check_columns(data, table);
   if (data.shape == Data::Shape::Matrix && table.columns.size() < 2) {
-    throw std::invalid_argument(table.source + ": one column; " + data.meaning);
+    throw std::invalid_argument(table.source + ": one column; " + data.meaning + separator_hint(table));
   }
 }
 

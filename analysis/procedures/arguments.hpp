@@ -16,11 +16,13 @@ namespace palpate::analysis {
 struct Input {
   enum class Kind {
     Count,     // 60
+    Seed,      // a count without an upper bound
     Number,    // -0.25
     Fraction,  // 1/2 or 0.5
     Choice,    // one of `choices`
     Counts,    // 794,86,150,570 or [794, 86, 150, 570]
     Numbers,   // 0.25,1.5 or [0.25, 1.5]
+    PValues,   // the same, and as small as they come
     Text,      // anything
     Switch     // --name, or true
   };
@@ -59,14 +61,14 @@ struct Arguments {
   DataTable table{};
 
   bool given(std::string_view name) const;
-  long count(std::string_view name) const;
+  long count(std::string_view name) const;     // Count or Seed
   double number(std::string_view name) const;  // Number or Fraction
   std::string text(std::string_view name) const;
   std::vector<long> counts(std::string_view name) const;
-  std::vector<double> numbers(std::string_view name) const;
-  bool is_on(std::string_view name) const;  // Switch
-  Side side() const;                        // "side"
-  double level() const;                     // "level"
+  std::vector<double> numbers(std::string_view name) const;  // Numbers or PValues
+  bool is_on(std::string_view name) const;                   // Switch
+  Side side() const;                                         // "side"
+  double level() const;                                      // "level"
 };
 
 struct Procedure;

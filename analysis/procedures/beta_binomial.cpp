@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <set>
+#include <stdexcept>
 
 #include "analysis/procedures/all.hpp"
 #include "analysis/procedures/phrases.hpp"
@@ -14,6 +16,25 @@ namespace palpate::analysis {
 namespace {
 
 using nlohmann::ordered_json;
+
+constexpr long kMostFitted = 50'000;  // each step of the fit goes through the trials one by one: some seconds
+
+// Rows that are alike are gone through once.
+void require_few_trials(std::span<const ExamineeCount> counts) {
+  std::set<std::pair<long, long>> different;
+  for (const ExamineeCount& count : counts) different.insert({count.correct, count.trials});
+  long trials = 0;
+  for (const auto& one : different) trials += one.second;
+  if (trials <= kMostFitted) return;
+  throw std::invalid_argument(fmt::format(
+      "{} trials in the rows that differ from each other; accepted: up to {}", trials, kMostFitted));
+}
+
+Data fitted_counts_data() {
+  Data data = examinee_counts_data();
+  data.columns.back().meaning += fmt::format("; up to {} in all rows that differ", kMostFitted);
+  return data;
+}
 
 ordered_json json_of(const BoundedEstimate& estimate) {
   return {
@@ -74,10 +95,11 @@ std::string in_words(const BetaBinomial& fit) {
 }
 
 Outcome beta_binomial_outcome(const Arguments& asked) {
-  const BetaBinomial fit =
-      beta_binomial(read_examinee_counts(asked.table), {.chance = asked.number("chance"),
-                                                        .corrected = asked.text("model") == "corrected",
-                                                        .level = asked.level()});
+  const std::vector<ExamineeCount> counts = read_examinee_counts(asked.table);
+  require_few_trials(counts);
+  const BetaBinomial fit = beta_binomial(counts, {.chance = asked.number("chance"),
+                                                  .corrected = asked.text("model") == "corrected",
+                                                  .level = asked.level()});
   return {.json = json_of(fit), .text = in_words(fit)};
 }
 
@@ -106,7 +128,7 @@ Procedure beta_binomial_procedure() {
                   .usual = "corrected",
                   .choices = {"corrected", "plain"}},
                  level_input()},
-      .data = examinee_counts_data(),
+      .data = fitted_counts_data(),
       .outputs = {{"examinees", "Rows of data"},
                   {"correct", "Correct answers of all"},
                   {"trials", "Answers of all"},

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "analysis/procedures/all.hpp"
 #include "analysis/procedures/phrases.hpp"
@@ -22,10 +21,6 @@ std::vector<Comparison> read_comparisons(const DataTable& table) {
       has_column(table, "count") ? count_column(table, "count") : std::vector<long>(winners.size(), 1);
   std::vector<Comparison> comparisons;
   for (std::size_t row = 0; row < winners.size(); ++row) {
-    if (counts[row] < 0) {
-      throw std::invalid_argument(fmt::format("{}:{}: count is {}; accepted: 0 and more", table.source,
-                                              table.lines[row], counts[row]));
-    }
     if (counts[row] == 0) continue;  // a table of all pairs has such cells
     comparisons.push_back({.winner = winners[row], .loser = losers[row], .count = counts[row]});
   }

@@ -20,8 +20,8 @@ std::size_t index_of(const DataTable& table, std::string_view name) {
         fmt::format("{}: no column '{}': the file has {} and no header line that names them", table.source,
                     name, counted(static_cast<long>(table.columns.size()), "column", "columns")));
   }
-  throw std::invalid_argument(
-      fmt::format("{}: no column '{}'; there is {}", table.source, name, listed(table.names)));
+  throw std::invalid_argument(fmt::format("{}: no column '{}'; there is {}{}", table.source, name,
+                                          listed(table.names), separator_hint(table)));
 }
 
 template <typename Number, typename Read>
@@ -42,13 +42,21 @@ std::vector<Number> read_all(const DataTable& table, std::size_t column, const R
   return numbers;
 }
 
-constexpr std::string_view kNumber = "a finite number with a decimal point, such as -0.25";
-constexpr std::string_view kCount = "a whole number";
+std::string number_in_words() {
+  return fmt::format("a finite number with a decimal point, such as -0.25: {}", kMagnitudeBounds);
+}
 
 }  // namespace
 
 std::size_t rows(const DataTable& table) {
   return table.lines.size();
+}
+
+std::string separator_hint(const DataTable& table) {
+  const bool other = std::any_of(table.names.begin(), table.names.end(), [](const std::string& name) {
+    return name.find_first_of(";\t") != std::string::npos;
+  });
+  return other ? "; columns are separated by commas" : "";
 }
 
 bool has_column(const DataTable& table, std::string_view name) {
@@ -60,17 +68,22 @@ const std::vector<std::string>& text_column(const DataTable& table, std::string_
 }
 
 std::vector<double> number_column(const DataTable& table, std::string_view name) {
-  return read_all<double>(table, index_of(table, name), read_finite, kNumber);
+  return read_all<double>(table, index_of(table, name), read_number, number_in_words());
+}
+
+std::vector<double> p_value_column(const DataTable& table, std::string_view name) {
+  return read_all<double>(table, index_of(table, name), read_finite, "a number from 0 to 1, such as 0.03");
 }
 
 std::vector<long> count_column(const DataTable& table, std::string_view name) {
-  return read_all<long>(table, index_of(table, name), read_count, kCount);
+  return read_all<long>(table, index_of(table, name), read_count,
+                        fmt::format("a whole number {}", kCountBounds));
 }
 
 std::vector<std::vector<double>> number_columns(const DataTable& table) {
   std::vector<std::vector<double>> all;
   for (std::size_t column = 0; column < table.columns.size(); ++column) {
-    all.push_back(read_all<double>(table, column, read_finite, kNumber));
+    all.push_back(read_all<double>(table, column, read_number, number_in_words()));
   }
   return all;
 }

@@ -17,17 +17,23 @@ struct DataTable {
 
 std::size_t rows(const DataTable& table);
 
+/// What to say behind the columns of a table that look as if another character stood between them; else "".
+std::string separator_hint(const DataTable& table);
+
 bool has_column(const DataTable& table, std::string_view name);
 
 /// The column of that name; without a header, the only column. Throws std::invalid_argument that lists the
 /// columns there are.
 const std::vector<std::string>& text_column(const DataTable& table, std::string_view name);
 
-/// The same as finite numbers, whatever the locale. Throws std::invalid_argument, "answers.csv:7: level is
-/// 'x'; ...".
+/// The same as numbers, whatever the locale. Throws std::invalid_argument, "answers.csv:7: level is
+/// 'x'; ...", also for those that no result can be made of: read_number.hpp.
 std::vector<double> number_column(const DataTable& table, std::string_view name);
 
-/// The same as whole numbers.
+/// The same as p values, which may be smaller than other numbers.
+std::vector<double> p_value_column(const DataTable& table, std::string_view name);
+
+/// The same as whole numbers from 0 on.
 std::vector<long> count_column(const DataTable& table, std::string_view name);
 
 /// Every column as numbers (outer: columns, inner: rows).

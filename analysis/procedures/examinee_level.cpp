@@ -58,7 +58,7 @@ Procedure examinee_level_procedure() {
                   .meaning = "Size of the random sample of patterns, where not all can be counted",
                   .usual = std::to_string(SignFlipOptions{}.resamples)},
                  {.name = "seed",
-                  .kind = Input::Kind::Count,
+                  .kind = Input::Kind::Seed,
                   .meaning = "Of that sample",
                   .usual = std::to_string(SignFlipOptions{}.seed)},
                  level_input()},

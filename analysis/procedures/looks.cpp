@@ -1,5 +1,7 @@
 #include <fmt/core.h>
 
+#include <stdexcept>
+
 #include "analysis/procedures/all.hpp"
 #include "analysis/procedures/phrases.hpp"
 #include "analysis/statistics/planned_looks.hpp"
@@ -9,6 +11,8 @@
 namespace palpate::analysis {
 namespace {
 
+constexpr long kMostAtALook = 100'000;  // the time grows with their square: some seconds
+
 std::string region(const CriticalNumber& critical) {
   if (critical.at_least) return fmt::format("{} or more correct reject", *critical.at_least);
   if (critical.at_most) return fmt::format("{} or fewer correct reject", *critical.at_most);
@@ -17,6 +21,12 @@ std::string region(const CriticalNumber& critical) {
 
 Outcome looks_outcome(const Arguments& asked) {
   const std::vector<long> trials = asked.counts("trials");
+  for (const long n : trials) {
+    if (n <= kMostAtALook) continue;
+    throw std::invalid_argument(fmt::format(
+        "a look after {} answers; accepted: up to {}, for every number of correct answers is counted", n,
+        kMostAtALook));
+  }
   const auto looks = planned_looks(trials, asked.number("chance"), asked.number("alpha"), asked.side(),
                                    spending_from_name(asked.text("spending")));
   Outcome outcome;
@@ -55,7 +65,7 @@ Procedure looks_procedure() {
           "Exact binomial probabilities; alpha that whole numbers leave unspent is carried on. One-sided.",
       .inputs = {{.name = "trials",
                   .kind = Input::Kind::Counts,
-                  .meaning = "Answers that are in at each look"},
+                  .meaning = fmt::format("Answers that are in at each look, up to {}", kMostAtALook)},
                  chance_input(),
                  alpha_input(),
                  {.name = "side",

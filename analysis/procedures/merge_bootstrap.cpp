@@ -40,6 +40,15 @@ const ordered_json& shard_part(const ordered_json& shard) {
 
 }  // namespace
 
+void check_bootstrap_part(const ordered_json& shard) {
+  const ordered_json& part = shard_part(shard);
+  request_from_json(part.at("asked"));
+  replicates_from(part.at("values"));
+  part.at("shard").get_ref<const std::string&>();
+  if (part.at("first").get<long>() > part.at("end").get<long>())
+    throw std::invalid_argument("its replicates end before they begin");
+}
+
 Outcome merge_bootstrap(const std::vector<ordered_json>& shards) {
   if (shards.empty()) throw std::invalid_argument("no shards to merge");
   std::vector<const ordered_json*> parts;

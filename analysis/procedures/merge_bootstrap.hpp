@@ -16,6 +16,10 @@ Outcome psychometric_outcome(const PsychometricRequest& request, const std::vect
 /// The result with the replicates of one shard in its "bootstrap" and nothing yet that needs them all.
 Outcome psychometric_shard(const PsychometricRequest& request, Shard shard);
 
+/// Throws nlohmann::json::exception or std::invalid_argument unless this has all that merging reads of a
+/// shard.
+void check_bootstrap_part(const nlohmann::ordered_json& shard);
+
 /// The result that one run would have given, to the last bit, from the JSON of all its shards in any order.
 /// Throws std::invalid_argument where one is no shard, they belong to different requests, or replicates are
 /// missing or there twice.

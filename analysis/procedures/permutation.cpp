@@ -48,7 +48,7 @@ Procedure permutation_procedure() {
                   .meaning = "Size of the random sample of patterns",
                   .usual = std::to_string(SignFlipOptions{}.resamples)},
                  {.name = "seed",
-                  .kind = Input::Kind::Count,
+                  .kind = Input::Kind::Seed,
                   .meaning = "Of that sample",
                   .usual = std::to_string(SignFlipOptions{}.seed)},
                  level_input()},

@@ -122,8 +122,10 @@ std::vector<Input> psychometric_inputs() {
                  .meaning = "Replicates from the fitted function or from the observed proportions",
                  .usual = "parametric",
                  .choices = {"parametric", "nonparametric"}});
-  all.push_back(
-      {.name = "replicates", .kind = Kind::Count, .meaning = "Of the bootstrap; 0: none", .usual = "2000"});
+  all.push_back({.name = "replicates",
+                 .kind = Kind::Count,
+                 .meaning = "Of the bootstrap, which takes up to 1000000 trials in all; 0: none",
+                 .usual = "2000"});
   all.push_back(seed_input());
   all.push_back({.name = "shard",
                  .kind = Kind::Text,

@@ -13,6 +13,7 @@ namespace {
 using Kind = Input::Kind;
 
 constexpr long kFewestReplicates = 199, kMostReplicates = 10'000'000;
+constexpr long kMostBootstrapped = 1'000'000;  // trials: the chance of each number correct is tabulated
 
 void require_replicates(long replicates, bool bootstrap_intervals) {
   if (replicates == 0 && !bootstrap_intervals) return;
@@ -20,6 +21,14 @@ void require_replicates(long replicates, bool bootstrap_intervals) {
   throw std::invalid_argument(fmt::format("replicates is {}; accepted: {} to {}{}", replicates,
                                           kFewestReplicates, kMostReplicates,
                                           bootstrap_intervals ? "" : ", or 0 for no bootstrap"));
+}
+
+void require_few_trials(const std::vector<Block>& blocks) {
+  long all = 0;
+  for (const Block& block : blocks) all += block.trials;
+  if (all <= kMostBootstrapped) return;
+  throw std::invalid_argument(fmt::format(
+      "{} trials in all; accepted: up to {}, or replicates 0 for no bootstrap", all, kMostBootstrapped));
 }
 
 }  // namespace
@@ -61,6 +70,7 @@ PsychometricRequest psychometric_request(const Arguments& asked) {
                               .seed = static_cast<std::uint64_t>(asked.count("seed"))};
   require_level(request.level, "level");
   require_replicates(request.replicates, request.bootstrap_intervals);
+  if (request.replicates > 0) require_few_trials(request.blocks);
   if (!asked.given("standard")) return request;
   request.standard = asked.number("standard");
   if (*request.standard > 0) return request;

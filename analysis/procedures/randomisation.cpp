@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <numeric>
 #include <stdexcept>
 
 #include "analysis/procedures/all.hpp"
@@ -11,13 +12,19 @@
 namespace palpate::analysis {
 namespace {
 
+constexpr long kMostRandomised = 10'000;  // the test's time grows with their square: some seconds
+
 std::vector<OrderStratum> strata_of(const DataTable& table) {
   const auto trials = count_column(table, "trials"), first = count_column(table, "correct_first"),
              answers = count_column(table, "answers_first"), correct = count_column(table, "correct");
   std::vector<OrderStratum> strata;
   for (std::size_t i = 0; i < trials.size(); ++i)
     strata.push_back({trials[i], first[i], answers[i], correct[i]});
-  return strata;
+  const long all = std::accumulate(trials.begin(), trials.end(), 0L);
+  if (all <= kMostRandomised) return strata;
+  throw std::invalid_argument(
+      fmt::format("{}: {} trials in all; accepted: up to {}, for every order is counted", table.source, all,
+                  kMostRandomised));
 }
 
 std::string in_words(const OrderRandomisationTest& test, Side side) {
@@ -74,7 +81,8 @@ Procedure randomisation_procedure() {
       .inputs = {alpha_input(), side_input("greater")},
       .data = {.shape = Data::Shape::Columns,
                .meaning = "one examinee (and cell) a row",
-               .columns = {{.name = "trials", .meaning = "Answers"},
+               .columns = {{.name = "trials",
+                            .meaning = fmt::format("Answers; in all rows up to {}", kMostRandomised)},
                            {.name = "correct_first", .meaning = "of them with the correct interval first"},
                            {.name = "answers_first", .meaning = "of them answered 1"},
                            {.name = "correct", .meaning = "of them correct"}}},

@@ -37,7 +37,7 @@ Input level_input() {
 }
 
 Input seed_input() {
-  return {.name = "seed", .kind = Kind::Count, .meaning = "Of the random numbers", .usual = "1"};
+  return {.name = "seed", .kind = Kind::Seed, .meaning = "Of the random numbers", .usual = "1"};
 }
 
 Data difference_data(const std::string& what) {

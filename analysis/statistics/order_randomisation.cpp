@@ -3,8 +3,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <boost/math/distributions/hypergeometric.hpp>
 #include <cmath>
+#include <map>
+#include <numeric>
 #include <stdexcept>
 
 #include "analysis/statistics/counts_distribution.hpp"
@@ -55,6 +58,26 @@ PValues p_of(const std::vector<double>& probability, std::size_t seen) {
   return p;
 }
 
+/// The p value of every number of correct answers, each sum taken once: p_of() for all would take the square
+/// of their number.
+std::vector<double> all_p(const std::vector<double>& probability, Side side) {
+  std::vector<double> p(probability.size());
+  if (side == Side::Greater) {
+    std::partial_sum(probability.rbegin(), probability.rend(), p.rbegin());
+  } else if (side == Side::Less) {
+    std::partial_sum(probability.begin(), probability.end(), p.begin());
+  } else {
+    std::vector<double> sorted = probability, sums(probability.size());
+    std::sort(sorted.begin(), sorted.end());
+    std::partial_sum(sorted.begin(), sorted.end(), sums.begin());
+    for (std::size_t k = 0; k < p.size(); ++k) {
+      const auto above = std::upper_bound(sorted.begin(), sorted.end(), probability[k] * (1 + kAlike));
+      p[k] = sums[static_cast<std::size_t>(above - sorted.begin()) - 1];
+    }
+  }
+  return p;
+}
+
 /// The largest region whose p values are at most alpha.
 CriticalNumber region(const std::vector<double>& probability, double alpha, Side side) {
   CriticalNumber critical{.trials = static_cast<long>(probability.size()) - 1, .alpha = alpha, .side = side};
@@ -62,8 +85,9 @@ CriticalNumber region(const std::vector<double>& probability, double alpha, Side
   double mean = 0.0;
   for (std::size_t k = 0; k < probability.size(); ++k) mean += static_cast<double>(k) * probability[k];
   critical.chance = mean / static_cast<double>(critical.trials);
+  const std::vector<double> p = all_p(probability, side);
   for (std::size_t k = 0; k < probability.size(); ++k) {
-    if (probability[k] == 0.0 || p_of(probability, k).of(side) > limit) continue;
+    if (probability[k] == 0.0 || p[k] > limit) continue;
     const auto number = static_cast<long>(k);
     if (static_cast<double>(k) > mean && !critical.at_least) critical.at_least = number;
     if (static_cast<double>(k) < mean) critical.at_most = number;
@@ -81,12 +105,15 @@ OrderRandomisationTest order_randomisation_test(std::span<const OrderStratum> st
     throw std::invalid_argument("no answers: the randomisation test needs one stratum at least");
   OrderRandomisationTest test;
   test.under_guessing = {1.0};
+  std::map<std::array<long, 3>, std::vector<double>> known;  // most examinees are like others
   double variance = 0.0;
   for (const OrderStratum& stratum : strata) {
     validate(stratum);
     test.correct += stratum.correct;
     test.trials += stratum.trials;
-    test.under_guessing = convolve(test.under_guessing, of_stratum(stratum));
+    std::vector<double>& one = known[{stratum.trials, stratum.correct_first, stratum.answers_first}];
+    if (one.empty()) one = of_stratum(stratum);
+    test.under_guessing = convolve(test.under_guessing, one);
   }
   for (std::size_t k = 0; k < test.under_guessing.size(); ++k)
     test.expected += static_cast<double>(k) * test.under_guessing[k];

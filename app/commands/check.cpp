@@ -271,7 +271,7 @@ ordered_json to_json(const ProtocolCheck& check) {
 template <typename Check>
 void print(const Check& check, const std::string& format) {
   if (format == "json")
-    fmt::print("{}\n", to_json(check).dump(1));
+    print_json(to_json(check));
   else
     print_text(check);
 }
@@ -282,7 +282,7 @@ void check_mesh(const CheckOptions& options) {
         "{}: a mesh file does not name its unit; give --unit m, cm, mm or um", options.input.file));
   const MeshReport report = inspect_mesh(options.input.file, sim::metres_per_unit(options.unit));
   if (options.format == "json")
-    fmt::print("{}\n", to_json(report).dump(1));
+    print_json(to_json(report));
   else
     fmt::print("{}", to_text(report));
 }

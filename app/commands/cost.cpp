@@ -130,7 +130,7 @@ ordered_json to_json(const sim::CycleCost& cost) {
           {"total_median_at_depth", cost.depth_medians}};
 }
 
-void print_json(const std::vector<SceneCost>& costs) {
+void print_costs(const std::vector<SceneCost>& costs) {
   ordered_json scenes = ordered_json::array();
   for (const SceneCost& scene : costs) {
     ordered_json models = ordered_json::array();
@@ -150,7 +150,7 @@ void print_json(const std::vector<SceneCost>& costs) {
                                  {"deformation", kPaperDeformation},
                                  {"interaction", kPaperInteraction},
                                  {"total", kPaperTotal}}}};
-  fmt::print("{}\n", result.dump(1));
+  print_json(result);
 }
 
 /// Fig. 5: time over the number of nodes of all bodies, under the last model measured.
@@ -199,7 +199,7 @@ void run_cost(const CostOptions& options) {
   std::vector<SceneCost> costs;
   for (const std::string& file : options.scenes) costs.push_back(measure(options, file, cache));
   if (options.format == "json")
-    print_json(costs);
+    print_costs(costs);
   else
     print_text(costs);
   if (options.plot.empty()) return;

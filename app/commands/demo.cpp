@@ -6,6 +6,7 @@
 
 #include "analysis/report/write_report.hpp"
 #include "app/commands/commands.hpp"
+#include "app/output.hpp"
 #include "app/simulation.hpp"
 #include "app/study_table.hpp"
 #include "sim/io/atomic_file.hpp"
@@ -60,8 +61,8 @@ void add_demo(CLI::App& app) {
   command->add_option("--examinees", options->examinees, "How many")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  command->add_option("--seed", options->seed,
-                      "Makes orders and answers repeatable; else the system's entropy");
+  add_seed(*command, "Makes orders and answers repeatable; else the system's entropy",
+           [options](std::uint64_t seed) { options->seed = seed; });
   command->footer("Example:\n  palpate demo --seed 1\nNo person takes part; every page says so.");
   command->callback([options] { run_demo(*options); });
 }

@@ -37,10 +37,9 @@ void run_merge(const MergeOptions& options) {
   const trials::StudyFile study = trials::read_study(options.out);
   const auto parts = trials::merged_parts(study.events());
   if (options.format == "json") {
-    fmt::print("{}\n", nlohmann::ordered_json{{"study", options.out},
-                                              {"parts", parts_json(parts)},
-                                              {"receipt", trials::to_string(study.receipt())}}
-                           .dump(1));
+    print_json({{"study", options.out},
+                {"parts", parts_json(parts)},
+                {"receipt", trials::to_string(study.receipt())}});
     return;
   }
   fmt::print("{}: {} sittings of {} study files\n", options.out, study.sessions().size(), parts.size());

@@ -41,7 +41,7 @@ void run_mesh(const MeshOptions& options) {
     fmt::print(stderr, "wrote {} in metres (length_unit = \"m\")\n", options.out);
   }
   if (options.format == "json")
-    fmt::print("{}\n", to_json(report).dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    print_json(to_json(report));
   else
     fmt::print("{}", to_text(report));
 }

@@ -29,7 +29,7 @@ void play_studies(const PlanOptions& options, const trials::Protocol& protocol) 
   read_shard(options.shard, simulation);
   const nlohmann::ordered_json result = simulate_power(protocol, simulation);
   if (options.format == "json") {
-    fmt::print("{}\n", result.dump(2));
+    print_json(result);
   } else {
     fmt::print("{}", power_in_words(result));
   }
@@ -43,7 +43,7 @@ void run_plan(const PlanOptions& options) {
   if (options.format == "json") {
     nlohmann::ordered_json json = to_json(plan);
     if (!frozen.empty()) json["frozen"] = {{"study", options.freeze}, {"sha256", frozen}};
-    fmt::print("{}\n", json.dump(2));
+    print_json(json);
     return;
   }
   fmt::print("{}", in_words(plan));
@@ -71,15 +71,16 @@ void add_plan(CLI::App& app) {
       ->excludes("--freeze");
   command->add_option("--observer", options->observer, "What they are like (default: observers/default.toml)")
       ->needs("--studies");
-  command->add_option("--seed", options->seed, "Of the simulated studies")
+  add_seed(*command, "Of the simulated studies", [options](std::uint64_t seed) { options->seed = seed; })
       ->needs("--studies")
-      ->capture_default_str();
+      ->default_str(std::to_string(options->seed));
   command
       ->add_option("--shard", options->shard,
                    "Play only part K of N of the studies, as K/N; palpate stats merge joins the parts")
       ->needs("--studies");
   add_format(*command, options->format);
   command->footer(
+      "Power is computed for cells of up to 20000 trials, 500 with balanced orders; --studies plays any.\n\n"
       "Examples:\n"
       "  palpate plan protocols/kuroda2003.toml --overdispersion 0.1\n"
       "  palpate plan protocols/kuroda2003.toml --freeze study.db\n"

@@ -57,7 +57,7 @@ void press_scene(const PressOptions& options, std::optional<double> depth) {
   const sim::Press press = sim::press(model, depth.value_or(model.probes.front().depth), options.steps);
   sim::require_solved(press);
   if (options.format == "json")
-    fmt::print("{}\n", press_json(model, press).dump(1));
+    print_json(press_json(model, press));
   else
     fmt::print("{}", press_text(model, press));
   if (!options.save.empty()) save_state(model, press, options.save);
@@ -78,7 +78,7 @@ void press_protocol(const PressOptions& options, std::optional<double> depth) {
   const trials::Protocol protocol = trials::load_protocol(options.scene.file);
   const std::vector<PressedStimulus> pressed = press_study(protocol, depth, options.steps, cache);
   if (options.format == "json")
-    fmt::print("{}\n", study_press_json(protocol, pressed).dump(1));
+    print_json(study_press_json(protocol, pressed));
   else
     fmt::print("{}", study_press_text(protocol, pressed));
   if (options.plot.empty()) return;

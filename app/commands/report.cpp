@@ -37,7 +37,7 @@ void check_folder_of(const std::filesystem::path& page) {
 
 std::string printed(const analysis::StudyReport& report, const std::string& format) {
   if (format != "json") return analysis::text_report(report);
-  return analysis::json_report(report).dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  return json_text(analysis::json_report(report)) + "\n";
 }
 
 // A report never takes the place of something that is none.

@@ -30,7 +30,7 @@ void run_simulate(const SimulateOptions& options) {
                                          {"examinees_added", report.added},
                                          {"answers", report.answers},
                                          {"receipt", trials::to_string(result.receipt)}};
-    fmt::print("{}\n", json.dump(1));
+    print_json(json);
     return;
   }
   fmt::print("{}: {} simulated examinees added, {} resumed, {} had finished before; {} answers given\n",
@@ -51,8 +51,8 @@ void add_simulate(CLI::App& app) {
       ->check(CLI::Range(1, 100000));
   command->add_option("--observer", options->observer,
                       "What they are like (TOML); else protocols/observers/default.toml");
-  command->add_option("--seed", options->seed,
-                      "Makes orders and answers repeatable; else the system's entropy");
+  add_seed(*command, "Makes orders and answers repeatable; else the system's entropy",
+           [options](std::uint64_t seed) { options->seed = seed; });
   add_format(*command, options->format);
   command->footer(
       "Example:\n  palpate simulate protocols/kuroda2003.toml --study simulated.db --examinees 15 --seed 1\n"

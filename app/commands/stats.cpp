@@ -58,7 +58,7 @@ void run_stats(const Procedure& procedure, const CLI::App& command, const Asked&
   const analysis::Outcome outcome = procedure.run(analysis::read_arguments(
       procedure, values, asked.file.empty() ? analysis::DataTable{} : read_csv(asked.file)));
   if (asked.format == "json") {
-    fmt::print("{}\n", outcome.json.dump(2));
+    print_json(outcome.json);
   } else {
     fmt::print("{}", outcome.text);
   }
@@ -86,7 +86,7 @@ void add_list(CLI::App& stats) {
       ->default_val("text");
   command->callback([format] {
     if (*format == "json") {
-      fmt::print("{}\n", procedures_as_json().dump(2));
+      print_json(procedures_as_json());
     } else {
       fmt::print("{}", *format == "markdown" ? procedures_as_markdown() : procedures_as_text());
     }
@@ -116,13 +116,35 @@ nlohmann::ordered_json read_part(const std::string& file) {
   throw std::invalid_argument(file + ": no JSON object; accepted: what --shard K/N --format json printed");
 }
 
+bool is_power(const nlohmann::ordered_json& part) {
+  return part.contains("kind") && part["kind"] == "power simulation";
+}
+
+// Reads all that is needed of a part before any are joined: what is wrong is said with the file's name.
+nlohmann::ordered_json checked_part(const std::string& file) {
+  nlohmann::ordered_json part = read_part(file);
+  const auto refuse = [&file](const char* what) {
+    throw std::invalid_argument(
+        fmt::format("{}: {}; accepted: what --shard K/N --format json printed", file, what));
+  };
+  try {
+    if (is_power(part)) {
+      check_power_part(part);
+    } else {
+      analysis::check_bootstrap_part(part);
+    }
+  } catch (const nlohmann::json::exception& error) {
+    refuse(error.what());
+  } catch (const std::invalid_argument& error) {
+    refuse(error.what());
+  }
+  return part;
+}
+
 void merge(const std::vector<std::string>& files, const std::string& format) {
   std::vector<nlohmann::ordered_json> parts;
   parts.reserve(files.size());
-  for (const std::string& file : files) parts.push_back(read_part(file));
-  const auto is_power = [](const nlohmann::ordered_json& part) {
-    return part.value("kind", "") == "power simulation";
-  };
+  for (const std::string& file : files) parts.push_back(checked_part(file));
   if (std::ranges::any_of(parts, is_power) && !std::ranges::all_of(parts, is_power))
     throw std::invalid_argument(
         "parts of a power simulation and others; accepted: all parts of one computation");
@@ -133,7 +155,11 @@ void merge(const std::vector<std::string>& files, const std::string& format) {
   } else {
     whole = analysis::merge_bootstrap(parts);
   }
-  fmt::print("{}", format == "json" ? whole.json.dump(2) + "\n" : whole.text);
+  if (format == "json") {
+    print_json(whole.json);
+  } else {
+    fmt::print("{}", whole.text);
+  }
 }
 
 void add_merge_of_parts(CLI::App& stats) {

@@ -40,20 +40,17 @@ void run_verify(const VerifyOptions& options) {
       options.receipt.empty() ? std::nullopt : std::optional(trials::parse_receipt(options.receipt));
   const trials::VerifyReport report = trials::verify_study(options.study, receipt);
   if (options.format == "json")
-    fmt::print(
-        "{}\n",
-        nlohmann::ordered_json{{"study", options.study},
-                               {"whole", report.problems.empty()},
-                               {"problems", report.problems},
-                               {"sessions", report.sessions},
-                               {"answers", report.answers},
-                               {"voided", report.voided},
-                               {"presentations", report.presentations},
-                               {"parts", parts_json(report.parts)},
-                               {"receipt", report.receipt.head.empty()
-                                               ? nlohmann::ordered_json()
-                                               : nlohmann::ordered_json(trials::to_string(report.receipt))}}
-            .dump(1));
+    print_json({{"study", options.study},
+                {"whole", report.problems.empty()},
+                {"problems", report.problems},
+                {"sessions", report.sessions},
+                {"answers", report.answers},
+                {"voided", report.voided},
+                {"presentations", report.presentations},
+                {"parts", parts_json(report.parts)},
+                {"receipt", report.receipt.head.empty()
+                                ? nlohmann::ordered_json()
+                                : nlohmann::ordered_json(trials::to_string(report.receipt))}});
   else
     print_text(options, report);
   if (!report.problems.empty())

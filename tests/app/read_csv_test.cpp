@@ -83,6 +83,16 @@ TEST_F(ReadCsv, NamesTheLineOfWhatItRefuses) {
   EXPECT_THAT(refusal(""), HasSubstr("no rows of data"));
 }
 
+TEST_F(ReadCsv, RefusesTextThatIsNoUtf8AndNamesTheSeparator) {
+  EXPECT_THAT(refusal("difference,name\n1,\xC3\xA9\n2,caf\xE9\n"),
+              HasSubstr(".csv:3: a byte that is no UTF-8"));
+  EXPECT_THAT(refusal("\xFF\xFE"
+                      "1\n"),
+              HasSubstr(".csv:1: a byte that is no UTF-8"));
+  EXPECT_THAT(refusal("difference;x\n1;2\n"), HasSubstr("; columns are separated by commas"));
+  EXPECT_THAT(refusal("1e400\n1\n"), HasSubstr(".csv:1: the value is '1e400'"));  // data, no header
+}
+
 TEST_F(ReadCsv, RefusesWhatIsNoFile) {
   EXPECT_THROW(read_csv("/nonexistent/differences.csv"), std::invalid_argument);
   EXPECT_THROW(read_csv(std::filesystem::temp_directory_path()), std::invalid_argument);

@@ -76,6 +76,47 @@ TEST_F(StudyEndToEnd, OneSeedGivesTheSameAnswersTwice) {
   EXPECT_NE(answers("a.db"), answers("c.db"));
 }
 
+// CLI11 alone stores 2^64 - 1 for either, without a word.
+TEST_F(StudyEndToEnd, ASeedThatIsNoneIsRefused) {
+  for (const char* seed : {"-1", "99999999999999999999", "0x10", "one"}) {
+    std::vector<std::vector<std::string>> commands = {
+        simulate("a.db", 1, seed),
+        {"demo", "--out", file("demo"), "--examinees", "1", "--seed", seed},
+        {"plan", kProtocol, "--studies", "1", "--seed", seed}};
+    for (const std::vector<std::string>& command : commands) {
+      const Outcome outcome = run(command);
+      EXPECT_EQ(outcome.exit_code, 2) << command.front() << ' ' << outcome.out;
+      EXPECT_THAT(outcome.err,
+                  HasSubstr("--seed: found " + std::string(seed) + ", accepted: a whole number"));
+    }
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "a.db"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "demo"));
+}
+
+// A file may be called anything; JSON is UTF-8.
+TEST_F(StudyEndToEnd, JsonIsWholeWhateverTheFileIsCalled) {
+  std::vector<std::string> command = simulate("caf\xE9.db", 1);
+  command.insert(command.end(), {"--format", "json"});
+  const Outcome simulated = run(command);
+  EXPECT_EQ(simulated.exit_code, 0) << simulated.err;
+  EXPECT_EQ(json::parse(simulated.out).at("study"), file("caf\xEF\xBF\xBD.db"));
+  const Outcome verified = run({"verify", file("caf\xE9.db"), "--format", "json"});
+  EXPECT_EQ(verified.exit_code, 0) << verified.err;
+  EXPECT_EQ(json::parse(verified.out).at("study"), file("caf\xEF\xBF\xBD.db"));
+}
+
+TEST_F(StudyEndToEnd, APlanTooLargeToComputeIsRefused) {
+  std::string large = read(kProtocol);
+  const std::string planned = "planned_examinees = 15";
+  large.replace(large.find(planned), planned.size(), "planned_examinees = 100000");
+  large.replace(large.find("../data"), 7, std::string(PALPATE_SOURCE_DIR) + "/data");
+  write(file("large.toml"), large);
+  const Outcome outcome = run({"plan", file("large.toml")});
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.out;
+  EXPECT_THAT(outcome.err, HasSubstr("400000 trials in a cell (100000 examinees with 4 each)"));
+}
+
 TEST_F(StudyEndToEnd, ResultsGoToStdoutAndAPipeShowsNoBar) {
   const Outcome outcome = run(simulate("a.db", 1));
   EXPECT_EQ(outcome.exit_code, 0);

@@ -125,7 +125,31 @@ TEST(ReadNumber, TakesFractionsAndDecimals) {
 
 TEST(ReadNumber, TakesWholeNumbers) {
   EXPECT_EQ(read_count("+60"), 60);
-  for (const char* wrong : {"", "1.5", "+-1", "99999999999999999999", "1 "}) {
+  for (const char* wrong : {"", "1.5", "+-1", "99999999999999999999", "1 ", "-1", "1000000001"}) {
     EXPECT_FALSE(read_count(wrong)) << wrong;
   }
+  EXPECT_EQ(read_count("1000000000"), 1'000'000'000);
+  EXPECT_EQ(read_seed("9223372036854775807"), 9'223'372'036'854'775'807);
+  EXPECT_FALSE(read_seed("-1"));
+}
+
+// Their squares, and the sums of these, must be numbers.
+TEST(ReadNumber, TakesNumbersThatResultsAreMadeOf) {
+  for (const char* right : {"0", "-0", "1e150", "-1e-150", "0.25"}) EXPECT_TRUE(read_number(right)) << right;
+  for (const char* wrong : {"1.1e150", "-1e308", "9e-151", "3e-320", "1e999", "inf", "nan", ""}) {
+    EXPECT_FALSE(read_number(wrong)) << wrong;
+    EXPECT_FALSE(read_fraction(wrong)) << wrong;
+  }
+  EXPECT_FALSE(read_fraction("1e100/1e-100"));
+  EXPECT_EQ(read_finite("1e-200"), 1e-200);
+}
+
+TEST(ReadNumber, KnowsNumeralsThatAreNoUsableNumbers) {
+  for (const char* numeral : {"1", "+1e999", "-1e-999", "1e308"}) EXPECT_TRUE(is_numeral(numeral)) << numeral;
+  for (const char* word : {"", "nan", "level", "1x", "1;2"}) EXPECT_FALSE(is_numeral(word)) << word;
+}
+
+TEST(Arguments, TakePValuesAsSmallAsTheyCome) {
+  EXPECT_EQ(run_procedure("adjust", {{"p", {1e-200, 0.5}}}).json["holm"][0], 2e-200);
+  EXPECT_EQ(run_procedure("adjust", {{"data", {{"p", {"1e-200", "0.5"}}}}}).json["holm"][0], 2e-200);
 }

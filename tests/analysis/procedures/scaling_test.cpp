@@ -24,7 +24,7 @@ TEST(BradleyTerryProcedure, PutsTheHighestValueFirst) {
   EXPECT_LT(text.find("\nz: 0.549"), text.find("\na: -0.549"));  // R: log(3)/2
   EXPECT_THAT(text, HasSubstr("nothing is left to test"));
   EXPECT_THAT(refusal_of("bradley-terry", {{"data", {{"winner", {"a"}}, {"loser", {"b"}}, {"count", {-1}}}}}),
-              HasSubstr("data:1: count is -1"));
+              HasSubstr("data:1: count is '-1'; accepted: a whole number from 0"));
 }
 
 TEST(StevensProcedure, SaysWhereLevelsMixWithPeople) {

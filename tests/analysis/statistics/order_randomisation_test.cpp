@@ -84,6 +84,27 @@ RC_GTEST_PROP(OrderRandomisation, AgreesWithEveryOrderCounted, ()) {
     RC_ASSERT(std::abs(test.under_guessing[k] - expected[k]) < 1e-12);
 }
 
+// p of each number by itself, as the test defines it; the program takes each sum once.
+TEST(OrderRandomisation, RejectsTheNumbersWhosePIsAtMostAlpha) {
+  std::vector<OrderStratum> strata(12, {.trials = 6, .correct_first = 3, .answers_first = 2, .correct = 3});
+  strata.push_back({.trials = 5, .correct_first = 1, .answers_first = 4, .correct = 2});
+  for (const Side side : {Side::Greater, Side::Less, Side::TwoSided}) {
+    const OrderRandomisationTest test = order_randomisation_test(strata, 0.05, side);
+    const std::vector<double>& chance = test.under_guessing;
+    for (std::size_t seen = 0; seen < chance.size(); ++seen) {
+      if (chance[seen] == 0) continue;
+      double p = 0.0;
+      for (std::size_t k = 0; k < chance.size(); ++k) {
+        if (side == Side::Greater ? k >= seen
+            : side == Side::Less  ? k <= seen
+                                  : chance[k] <= chance[seen] * (1 + 1e-7))
+          p += chance[k];
+      }
+      EXPECT_EQ(rejects(test.critical, static_cast<long>(seen)), p <= 0.05) << seen;
+    }
+  }
+}
+
 TEST(OrderRandomisation, RefusesCountsThatContradictThemselves) {
   const auto refuses = [](const OrderStratum& stratum) {
     EXPECT_THROW(order_randomisation_test(std::vector{stratum}, 0.05, Side::Greater), std::invalid_argument);
