@@ -142,6 +142,17 @@ TEST_F(StudyEndToEnd, AKilledSimulationGoesOnWhereItWas) {
   EXPECT_EQ(run({"verify", file("a.db")}).exit_code, 0);
 }
 
+TEST_F(StudyEndToEnd, ASecondProgramWaitsForTheFirst) {
+  test::Running program(simulate("a.db", 12));
+  wait_for_answers("a.db", 5, program);
+  const Outcome second = run(simulate("a.db", 12));
+  program.send(SIGINT);
+  ASSERT_EQ(program.wait(), 130);
+  EXPECT_EQ(second.exit_code, 3);
+  EXPECT_THAT(second.err, HasSubstr("another palpate is leading a session in this study (pid "));
+  EXPECT_EQ(run({"verify", file("a.db")}).exit_code, 0);
+}
+
 TEST_F(StudyEndToEnd, CtrlCStopsWithEverythingOnTheDisk) {
   test::Running program(simulate("a.db", 12));
   wait_for_answers("a.db", 5, program);
@@ -171,7 +182,7 @@ TEST_F(StudyEndToEnd, ATamperedFileIsFound) {
       "");
   const Outcome outcome = run({"verify", file("a.db")});
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_THAT(outcome.out, HasSubstr("chain: entry 1 was altered"));
+  EXPECT_THAT(outcome.out, HasSubstr("chain: entry 2 was altered"));
   EXPECT_THAT(outcome.err, HasSubstr("is not whole"));
 }
 
