@@ -89,7 +89,8 @@ Column of_factor(const Factor& factor) {
 
 Column of_condition(const Protocol& protocol) {
   Column column = text("condition", "Condition", "What was presented in the interval");
-  for (const Condition& condition : protocol.conditions) {
+  for (const std::size_t presented : protocol.pair) {
+    const Condition& condition = protocol.conditions[presented];
     std::string changes;
     for (const sim::Override& change : condition.overrides)
       changes += fmt::format("{}{} = {}", changes.empty() ? "" : ", ", change.key, change.value);

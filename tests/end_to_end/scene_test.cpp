@@ -99,7 +99,7 @@ TEST_F(SceneCommands, APressedProtocolIsThePressedScene) {
 TEST_F(SceneCommands, APressedProtocolsTableHasAColumnForEachStimulus) {
   const Outcome outcome = run({"press", kStudy, "--steps", "2"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, AllOf(StartsWith("kuroda2003: force [N]"), HasSubstr("absent      soft      hard"),
+  EXPECT_THAT(outcome.out, AllOf(StartsWith("kuroda2003: force [N]"), HasSubstr("soft      hard    absent"),
                                  HasSubstr("\n     2.500 "), HasSubstr("\n     5.000 ")));
 }
 

@@ -33,7 +33,7 @@ TEST(Protocol, TheStudyOf2003IsReadAsItIsWritten) {
   const Protocol protocol = load_protocol(root / "protocols/kuroda2003.toml");
   EXPECT_EQ(protocol.name, "kuroda2003");
   EXPECT_EQ(protocol.sha256, sim::sha256_hex(test::read(root / "protocols/kuroda2003.toml")));
-  ASSERT_EQ(protocol.conditions.size(), 2U);
+  ASSERT_EQ(protocol.conditions.size(), 3U);  // soft and hard, and absent, which no trial presents
   EXPECT_EQ(protocol.conditions[1].name, "hard");
   EXPECT_EQ(protocol.conditions[1].overrides.at(0).key, "bodies.prostate.young_modulus");
   EXPECT_EQ(protocol.correct, 1U);
@@ -85,7 +85,7 @@ TEST(Protocol, MistypedKeysNameFileLineAndTheKeyThatIsMeant) {
               AllOf(StartsWith("p.toml:"), HasSubstr("analysis.alpha: is missing")));
   EXPECT_THAT(
       refusal_with("[sample]", "[sample]\nplaned_examinees = 3"),
-      AllOf(StartsWith("p.toml:37: sample.planed_examinees: unknown key"), HasSubstr("planned_examinees")));
+      AllOf(StartsWith("p.toml:39: sample.planed_examinees: unknown key"), HasSubstr("planned_examinees")));
   EXPECT_THAT(refusal_with("[display]", "colour = 1\n[display]"),
               HasSubstr("exploration.colour: unknown key"));
   EXPECT_THAT(refusal_with("question =", "qestion ="), HasSubstr("question: is missing"));
@@ -93,7 +93,7 @@ TEST(Protocol, MistypedKeysNameFileLineAndTheKeyThatIsMeant) {
 
 TEST(Protocol, QuantitiesNeedTheRightUnit) {
   EXPECT_THAT(refusal_with("\"3 mm\"", "\"3\""),
-              AllOf(StartsWith("p.toml:30: exploration.min_depth"), HasSubstr("mm")));
+              AllOf(StartsWith("p.toml:32: exploration.min_depth"), HasSubstr("mm")));
   EXPECT_THAT(refusal_with("\"3 mm\"", "3"), HasSubstr("accepted: a quantity with its unit"));
   EXPECT_THAT(refusal_with("\"3 mm\"", "\"3 s\""), HasSubstr("exploration.min_depth"));
   EXPECT_THAT(refusal_with("\"10 s\"", "\"10 mm\""), HasSubstr("exploration.max_time"));
@@ -108,7 +108,7 @@ TEST(Protocol, ImpossiblePlansAreRefused) {
   EXPECT_THAT(refusal_with("per_cell = 4", "per_cell = 0"),
               HasSubstr("found 0, accepted: a whole number from 1"));
   EXPECT_THAT(refusal_with("per_cell = 4", "per_cell = -4"), HasSubstr("found -4"));
-  EXPECT_THAT(refusal_with("[1, 5]", "[5, 1]"), AllOf(HasSubstr("p.toml:29:"), HasSubstr("found [5, 1]")));
+  EXPECT_THAT(refusal_with("[1, 5]", "[5, 1]"), AllOf(HasSubstr("p.toml:31:"), HasSubstr("found [5, 1]")));
   EXPECT_THAT(refusal_with("[1, 5]", "[1]"), HasSubstr("exploration.presses"));
   EXPECT_THAT(refusal_with("= 0.05", "= 0"), HasSubstr("analysis.alpha: found 0"));
   EXPECT_THAT(refusal_with("= 0.05", "= 1.0"), HasSubstr("analysis.alpha: found 1"));
@@ -152,7 +152,7 @@ TEST(Protocol, PlannedLooksAscendToThePlannedSample) {
 
 TEST(Protocol, WhatTheSceneDoesNotTakeIsRefusedWithItsLine) {
   EXPECT_THAT(refusal_with("\"sibille\"]", "\"sybille\"]"),
-              AllOf(StartsWith("p.toml:13: factors.\"contact.model\""), HasSubstr("sybille")));
+              AllOf(StartsWith("p.toml:15: factors.\"contact.model\""), HasSubstr("sybille")));
   EXPECT_THAT(refusal_with("\"bodies.prostate.young_modulus\" = \"5.0 MPa\"",
                            "\"bodies.prostate.youngs\" = \"5 MPa\""),
               AllOf(StartsWith("p.toml:9: conditions.hard"), HasSubstr("youngs")));

@@ -180,20 +180,15 @@ TEST(IntervalEngine, ACycleThatCannotBeSolvedIsAFaultAndNoForce) {
   sim::Model model = palpation("kuroda", "1.0 MPa");
   IntervalEngine engine(model, kLimits);
   engine.tick({.depth = -1e-3, .known = true});
-  for (int i = 0; i < 100; ++i) engine.tick({.depth = 3e-3, .known = true});
-  ASSERT_GT(engine.state().force, 0.0);
   sim::Compliance nothing = *model.bodies.front().compliance;
   nothing.touch_touch.setZero();
   model.bodies.front().compliance = std::make_shared<const sim::Compliance>(nothing);
   for (sim::Probe& probe : model.probes) probe.compliance.setZero();
-  double before = engine.state().force;
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < 100; ++i) {
     engine.tick({.depth = 3e-3, .known = true});
-    EXPECT_LE(engine.state().force, before);
-    before = engine.state().force;
+    EXPECT_EQ(engine.state().force, 0.0);
   }
   EXPECT_EQ(engine.state().fault, Fault::NotFinite);
-  EXPECT_EQ(engine.state().force, 0.0);
 }
 
 TEST(IntervalEngine, MissedCyclesCountAsTime) {
