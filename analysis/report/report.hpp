@@ -23,6 +23,7 @@ struct ReportOptions {
   double level = 0.95;             // confidence of all intervals
   std::string software_version{};  // of the program that writes the report
   std::string written_utc{};       // when
+  std::string receipt{};           // of the study file as it was read: what the numbers can be held against
 };
 
 /// From the question's onset to the answer [s].

@@ -183,6 +183,12 @@ std::string provenance_section(const StudyReport& report) {
   std::string text = heading("provenance", "Where the numbers come from") + html_table(session_table(report));
   text += fmt::format("<p>Protocol <code>{}</code> (SHA-256). Report computed by palpate {}.</p>\n",
                       escape(report.design.protocol_sha256), escape(report.options.software_version));
+  if (!report.options.receipt.empty())
+    text += fmt::format(
+        "<p>Computed from a study file with the receipt <code>{0}</code>: <code>palpate verify STUDY "
+        "--receipt "
+        "{0}</code> tells whether a file still holds these answers.</p>\n",
+        escape(report.options.receipt));
   text += html_table(examinee_table(report));
   if (!report.curves.empty()) text += html_table(curve_table(report));
   if (!report.design.protocol_text.empty()) {

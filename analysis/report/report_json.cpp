@@ -231,7 +231,8 @@ ordered_json json_report(const StudyReport& report) {
           {"limits", report.limits},
           {"sessions", array_of(report.sessions, session_json)},
           {"software_version", report.options.software_version},
-          {"written_utc", report.options.written_utc}};
+          {"written_utc", report.options.written_utc},
+          {"receipt", report.options.receipt}};
 }
 
 }  // namespace palpate::analysis

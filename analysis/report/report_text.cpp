@@ -82,8 +82,10 @@ std::string text_report(const StudyReport& report) {
   text += heading("Limits", '=');
   for (const std::string& limit : report.limits) text += wrapped(limit, "- ", "  ");
   text += section(session_table(report), "Sessions");
-  text += fmt::format("\nProtocol {}\nReport by palpate {}{}\n", report.design.protocol_sha256,
-                      report.options.software_version,
+  text += fmt::format("\nProtocol {}\n", report.design.protocol_sha256);
+  if (!report.options.receipt.empty())
+    text += fmt::format("Study file with the receipt {}\n", report.options.receipt);
+  text += fmt::format("Report by palpate {}{}\n", report.options.software_version,
                       report.options.written_utc.empty() ? "" : ", " + report.options.written_utc);
   return tame(text);
 }

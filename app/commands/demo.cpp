@@ -39,9 +39,11 @@ void run_demo(const DemoOptions& options) {
   fmt::print(stderr, "The study of Kuroda et al. 2003 with {} simulated examinees, in {}\n",
              options.examinees, study.string());
   const SimulationResult result = run_simulation(protocol, study, options.examinees, observer, options.seed);
-  const analysis::StudyReport report = analysis::analyse(
-      read_study_table(trials::read_study(study)),
-      {.run_mode = "simulated", .software_version = PALPATE_VERSION, .written_utc = trials::utc_now()});
+  const analysis::StudyReport report = analysis::analyse(read_study_table(trials::read_study(study)),
+                                                         {.run_mode = "simulated",
+                                                          .software_version = PALPATE_VERSION,
+                                                          .written_utc = trials::utc_now(),
+                                                          .receipt = trials::to_string(result.receipt)});
   sim::write_atomically(page, analysis::html_report(report));
   fmt::print("{}\n", analysis::text_report(report));
   fmt::print("study    {}\nreport   {} (open it in a browser)\nreceipt  {}\n", study.string(), page.string(),

@@ -59,7 +59,9 @@ void run_report(const ReportOptions& options) {
   analysis::ReportOptions asked{
       .interim = options.interim, .software_version = PALPATE_VERSION, .written_utc = trials::utc_now()};
   if (!options.run_mode.empty()) asked.run_mode = options.run_mode;
-  const analysis::StudyTable table = read_study_table(trials::read_study(options.study));
+  const trials::StudyFile study = trials::read_study(options.study);
+  asked.receipt = trials::to_string(study.receipt());
+  const analysis::StudyTable table = read_study_table(study);
   const analysis::StudyReport report = analysis::analyse(table, asked);
   const std::string text = printed(report, options.format);
   const std::string page = options.out.empty() ? "" : analysis::html_report(report);

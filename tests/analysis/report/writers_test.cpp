@@ -28,7 +28,8 @@ StudyTable paper_with_everything() {
   return table;
 }
 
-const ReportOptions kOptions{.software_version = "0.1.0", .written_utc = "2026-11-22T12:00:00Z"};
+const ReportOptions kOptions{
+    .software_version = "0.1.0", .written_utc = "2026-11-22T12:00:00Z", .receipt = "120-0123456789abcdef"};
 
 std::vector<StudyReport> reports_of_all_kinds() {
   std::vector<StudyReport> reports{analyse(paper_with_everything(), kOptions)};
@@ -82,7 +83,7 @@ TEST(JsonReport, HasTheFieldsThatScriptsRelyOn) {
     EXPECT_TRUE(number || value.type() == type) << key << " is " << value.type_name();
   };
   using Type = ordered_json::value_t;
-  for (const char* key : {"run_mode", "channel", "software_version", "written_utc"})
+  for (const char* key : {"run_mode", "channel", "software_version", "written_utc", "receipt"})
     expect_type(json, key, Type::string);
   for (const char* key : {"pseudo_haptic", "interim", "withheld"}) expect_type(json, key, Type::boolean);
   for (const char* key : {"planned_examinees", "complete_examinees"})
