@@ -70,7 +70,8 @@ TEST_F(ReportEndToEnd, ALookThatCannotBeWrittenIsNotLogged) {
 
 TEST_F(ReportEndToEnd, NumbersSittingsAsTheExportsDo) {
   simulate("kuroda2003.toml", 2);
-  for (const json& session : report().at("sessions")) EXPECT_EQ(session.at("session"), 1);
+  const json shown = report();
+  for (const json& session : shown.at("sessions")) EXPECT_EQ(session.at("session"), 1);
 }
 
 }  // namespace
