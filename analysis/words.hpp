@@ -27,8 +27,8 @@ std::string decimals(double value, int count);
 /// "55.0 % to 79.7 %"; "none" where an interval could not be given.
 std::string percent_range(const Interval& interval);
 
-/// "0.179 to 1.177", "2.33 and more", "up to 3" or "any value" where ends are open, "none"
-/// where no interval could be given; in the unit of the estimate.
+/// "0.179 to 1.177", "2.33 and more", "up to 3" or "any value" where ends are open, "none" where no interval
+/// could be given; in the unit of the estimate.
 std::string range(const Interval& interval);
 std::string range(const Interval& interval, const std::function<std::string(double)>& written);
 

@@ -1,5 +1,5 @@
-# Writes OUT, a C++ file that holds the bytes of FILES ("name=path|name=path") for app/web/page_files.hpp.
-set(text "#include \"app/web/page_files.hpp\"\n\nnamespace palpate::app {\nnamespace {\n")
+# Writes OUT, a C++ file that holds the bytes of FILES ("name=path|name=path") for app/web/server/page_files.hpp.
+set(text "#include \"app/web/server/page_files.hpp\"\n\nnamespace palpate::app {\nnamespace {\n")
 set(table "")
 set(k 0)
 string(REPLACE "|" ";" FILES "${FILES}")

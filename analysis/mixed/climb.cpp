@@ -55,7 +55,7 @@ double Climb<Q>::evaluate(const Parameters& at, Parameters& gradient) {
 template <int Q>
 auto Climb<Q>::free_part(const Parameters& parameters) const -> Vector {
   Vector part(static_cast<Eigen::Index>(free_.size()));
-  for (Eigen::Index k = 0; k < part.size(); ++k) part[k] = parameters[free_[static_cast<std::size_t>(k)]];
+  for (Eigen::Index k = 0; k < part.size(); ++k) part[k] = parameters[free_[k]];
   return part;
 }
 
@@ -63,7 +63,7 @@ template <int Q>
 auto Climb<Q>::with_free_part(const Vector& values) const -> Parameters {
   Parameters parameters = at_;
   for (Eigen::Index k = 0; k < values.size(); ++k) {
-    parameters[free_[static_cast<std::size_t>(k)]] = values[k];
+    parameters[free_[k]] = values[k];
   }
   return parameters;
 }
@@ -134,7 +134,7 @@ auto Climb<Q>::information() -> Matrix {
   const auto n = static_cast<Eigen::Index>(free_.size());
   Matrix matrix(n, n);
   for (Eigen::Index k = 0; k < n; ++k) {
-    const int parameter = free_[static_cast<std::size_t>(k)];
+    const int parameter = free_[k];
     Parameters up = at_, down = at_, slopes_up, slopes_down;
     up[parameter] += kStep, down[parameter] -= kStep;
     evaluate(up, slopes_up), evaluate(down, slopes_down);

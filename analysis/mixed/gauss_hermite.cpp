@@ -19,8 +19,7 @@ std::vector<QuadratureNode> gauss_hermite(int n) {
     // Averaged with its mirror image, so that the rule is symmetric to the last bit.
     const double t = (solver.eigenvalues()[k] - solver.eigenvalues()[n - 1 - k]) / 2;
     const double first = solver.eigenvectors()(0, k), mirror = solver.eigenvectors()(0, n - 1 - k);
-    nodes[static_cast<std::size_t>(k)] = {
-        .t = t, .weight = std::sqrt(std::numbers::pi) * (first * first + mirror * mirror) / 2};
+    nodes[k] = {.t = t, .weight = std::sqrt(std::numbers::pi) * (first * first + mirror * mirror) / 2};
   }
   return nodes;
 }

@@ -133,8 +133,8 @@ double MarginalLikelihood<Q>::add_examinee(std::size_t examinee, const Parameter
   const Square factor = inverse.llt().matrixL();
   std::array<Movement<Q>, kParameters> moves;
   for (int p = 0; p < kParameters; ++p) {
-    moves[static_cast<std::size_t>(p)] = movement<Q>(integrand, at, mode.u, inverse, factor, p);
-    mode.moves.col(p) = moves[static_cast<std::size_t>(p)].mode;
+    moves[p] = movement<Q>(integrand, at, mode.u, inverse, factor, p);
+    mode.moves.col(p) = moves[p].mode;
   }
   NodeSum<Parameters> sum;
   for (const Node& node : nodes_) {
@@ -143,14 +143,14 @@ double MarginalLikelihood<Q>::add_examinee(std::size_t examinee, const Parameter
     const Effects pull = lambda.transpose() * value.scores - u;
     Parameters slopes;
     for (int p = 0; p < kParameters; ++p) {
-      const Movement<Q>& move = moves[static_cast<std::size_t>(p)];
+      const Movement<Q>& move = moves[p];
       const Effects u_moves = move.mode + std::numbers::sqrt2 * (move.factor * node.t);
       slopes[p] = direct<Q>(p, u).dot(value.scores) + pull.dot(u_moves);
     }
     sum.add(value.g + node.log_weight, slopes);
   }
   for (int p = 0; p < kParameters; ++p) {
-    gradient[p] += sum.slopes[p] / sum.sum + moves[static_cast<std::size_t>(p)].log_determinant;
+    gradient[p] += sum.slopes[p] / sum.sum + moves[p].log_determinant;
   }
   return sum.largest + std::log(sum.sum) + std::log(factor.determinant());
 }

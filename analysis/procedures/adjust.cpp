@@ -51,10 +51,9 @@ Procedure adjust_procedure() {
       .title = "p values adjusted for several tests",
       .teaches =
           "Of twenty tests at 0.05 one rejects by chance. Adjusted p values may each be held against alpha. "
-          "Holm: the probability of any false rejection stays below alpha, whatever the tests. Hochberg: "
-          "the same, stronger, for tests that are independent or positively dependent. Benjamini-Hochberg: "
-          "the share of false rejections stays below alpha on the average, for many tests of a search. "
-          "Choose "
+          "Holm: the probability of any false rejection stays below alpha, whatever the tests. Hochberg: the "
+          "same, stronger, for tests that are independent or positively dependent. Benjamini-Hochberg: the "
+          "share of false rejections stays below alpha on the average, for many tests of a search. Choose "
           "one beforehand; all tests of a family go in, not only those that look well.",
       .inputs = {{.name = "p",
                   .kind = Input::Kind::PValues,

@@ -67,11 +67,10 @@ Procedure bayes_procedure() {
       .title = "Bayes factor against chance",
       .teaches =
           "How many times likelier the answers are if the proportion correct lies above chance (side "
-          "greater), "
-          "below or off it, than if it is chance. Unlike a p value it can speak for chance. The answer "
-          "depends on the prior: what is believed beforehand about the proportion if it is not chance, a "
-          "beta distribution, by default with every proportion above chance equally likely. The prior is "
-          "decided before the data are seen, and reported. Answers are taken for independent.",
+          "greater), below or off it, than if it is chance. Unlike a p value it can speak for chance. The "
+          "answer depends on the prior: what is believed beforehand about the proportion if it is not "
+          "chance, a beta distribution, by default with every proportion above chance equally likely. The "
+          "prior is decided before the data are seen, and reported. Answers are taken for independent.",
       .inputs = {correct_input(),
                  trials_input(),
                  chance_input(),

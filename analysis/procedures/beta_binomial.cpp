@@ -112,14 +112,11 @@ Procedure beta_binomial_procedure() {
       .title = "beta-binomial model of repeated forced-choice answers",
       .teaches =
           "Repeated answers of one examinee are not independent when examinees differ: the binomial is then "
-          "too "
-          "sure. The beta-binomial model lets each one's probability of a correct answer follow a beta "
+          "too sure. The beta-binomial model lets each one's probability of a correct answer follow a beta "
           "distribution; gamma says how far they spread, from 0 (all alike: the binomial) to 1 (each one "
-          "always "
-          "right or always wrong). The chance-corrected model lets the part above chance follow it, so that "
-          "nobody is below chance. Overdispersion is tested by likelihood ratio, at the boundary of gamma, "
-          "and by "
-          "Tarone's Z.",
+          "always right or always wrong). The chance-corrected model lets the part above chance follow it, "
+          "so that nobody is below chance. Overdispersion is tested by likelihood ratio, at the boundary of "
+          "gamma, and by Tarone's Z.",
       .inputs = {chance_input(),
                  {.name = "model",
                   .kind = Input::Kind::Choice,

@@ -43,11 +43,9 @@ Procedure binomial_procedure() {
       .teaches =
           "Tests that every answer is correct with the probability of a guess. It asks for answers that are "
           "independent when nobody feels anything: orders drawn by fair coins make them so. Two-sided p "
-          "values "
-          "add up all outcomes that are no likelier than the one seen, as R's binom.test does. The exact "
-          "test "
-          "keeps to alpha always; mid-p counts half of what is as likely as the outcome seen and keeps to it "
-          "on the average only: say beforehand which of them decides.",
+          "values add up all outcomes that are no likelier than the one seen, as R's binom.test does. The "
+          "exact test keeps to alpha always; mid-p counts half of what is as likely as the outcome seen and "
+          "keeps to it on the average only: say beforehand which of them decides.",
       .inputs = {correct_input(), trials_input(), chance_input(), side_input("greater"), level_input()},
       .outputs = {{"correct", "Correct answers"},
                   {"trials", "All answers"},

@@ -95,14 +95,11 @@ Procedure bradley_terry_procedure() {
           .title = "Bradley-Terry model or Thurstone's case V",
           .teaches =
               "Each answer says which of two things has more of something. The model gives each thing a "
-              "value; the "
-              "probability of an answer follows the difference of two values, by the logistic function "
-              "(Bradley-Terry) "
-              "or the cumulative Gaussian (Thurstone's case V, in standard deviations of a difference). It "
-              "takes the "
-              "answers as independent: many answers of one examinee make it too sure. A large G2 for the fit "
-              "says that "
-              "one scale does not hold all pairs.",
+              "value; the probability of an answer follows the difference of two values, by the logistic "
+              "function (Bradley-Terry) or the cumulative Gaussian (Thurstone's case V, in standard "
+              "deviations of a difference). It takes the answers as independent: many answers of one "
+              "examinee make it too sure. A large G2 for the fit says that one scale does not hold all "
+              "pairs.",
           .inputs = {{.name = "model",
                       .kind = Input::Kind::Choice,
                       .meaning = "Function of the difference: logistic or cumulative Gaussian",

@@ -65,15 +65,11 @@ Procedure cochran_procedure() {
       .title = "Cochran's Q",
       .teaches =
           "McNemar's test for more than two columns of 0 (wrong) and 1 (correct), such as several contact "
-          "models "
-          "met by each examinee in trials that belong together by design. Only rows with different answers "
-          "count. The exact p value counts all orders within rows where they can be counted; it is the one "
-          "to "
-          "report for few rows. The bootstrap interval of the effect size cannot reach 0 and lies too high "
-          "for "
-          "small effects. A Q that rejects does not say which columns differ: compare pairs by mcnemar, "
-          "adjusted "
-          "by adjust.",
+          "models met by each examinee in trials that belong together by design. Only rows with different "
+          "answers count. The exact p value counts all orders within rows where they can be counted; it is "
+          "the one to report for few rows. The bootstrap interval of the effect size cannot reach 0 and lies "
+          "too high for small effects. A Q that rejects does not say which columns differ: compare pairs by "
+          "mcnemar, adjusted by adjust.",
       .inputs = {resamples_input(), seed_input(), level_input()},
       .data = {.shape = Data::Shape::Matrix,
                .meaning = "a column for each thing compared, of 0 and 1; a row each trial or examinee"},

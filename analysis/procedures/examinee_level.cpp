@@ -47,8 +47,7 @@ Procedure examinee_level_procedure() {
       .teaches =
           "The unit is the examinee, not the answer: each one's proportion correct less chance is one "
           "difference, and the sign-flip permutation test asks whether their mean is 0. So the claim is "
-          "about "
-          "people like those examined, where the pooled binomial says only that somebody answers above "
+          "about people like those examined, where the pooled binomial says only that somebody answers above "
           "chance. It needs deviations that are symmetric when nobody feels anything: chance 1/2 only. For "
           "other chances, see beta-binomial.",
       .inputs = {chance_input(),

@@ -62,13 +62,10 @@ Procedure friedman_procedure() {
       .title = "Friedman's test with Kendall's W",
       .teaches =
           "Each examinee's values are ranked among themselves, so it asks for no scale that examinees share. "
-          "If the "
-          "things do not differ, every order is equally likely for each examinee. The exact p value counts "
-          "all "
-          "orders where they can be counted; it is the one to report for few examinees. Kendall's W says how "
-          "far the examinees agree: 0 not at all, 1 wholly; its bootstrap interval cannot reach 0 and lies "
-          "too "
-          "high where W is small. Compare pairs by wilcoxon, adjusted by adjust.",
+          "If the things do not differ, every order is equally likely for each examinee. The exact p value "
+          "counts all orders where they can be counted; it is the one to report for few examinees. Kendall's "
+          "W says how far the examinees agree: 0 not at all, 1 wholly; its bootstrap interval cannot reach 0 "
+          "and lies too high where W is small. Compare pairs by wilcoxon, adjusted by adjust.",
       .inputs = {resamples_input(), seed_input(), level_input()},
       .data = {.shape = Data::Shape::Matrix,
                .meaning = "a column for each thing compared; a row each examinee"},

@@ -65,11 +65,9 @@ Procedure interval_bias_procedure() {
       .title = "interval bias of a two-interval forced choice",
       .teaches =
           "Where fair coins draw the order, \"first\" is the right answer to half of all trials, so it is "
-          "half "
-          "of all answers unless an interval is favoured, however much is felt: an exact binomial test of "
-          "the number of such answers. A bias hides sensitivity: d' from the hit rates of both orders is "
-          "free "
-          "of it. With balanced orders the test errs on the safe side.",
+          "half of all answers unless an interval is favoured, however much is felt: an exact binomial test "
+          "of the number of such answers. A bias hides sensitivity: d' from the hit rates of both orders is "
+          "free of it. With balanced orders the test errs on the safe side.",
       .inputs = {count_pair_input("first", "correct answers", "trials where the first interval was correct"),
                  count_pair_input("second", "correct answers",
                                   "trials where the second interval was correct"),

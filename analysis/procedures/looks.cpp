@@ -59,10 +59,9 @@ Procedure looks_procedure() {
       .title = "exact binomial test at planned looks",
       .teaches =
           "Whoever looks at the answers several times and stops when they are significant rejects guessing "
-          "too often. "
-          "With looks planned beforehand, alpha is spent over them: obrien-fleming hardly anything early, "
-          "pocock evenly. "
-          "Exact binomial probabilities; alpha that whole numbers leave unspent is carried on. One-sided.",
+          "too often. With looks planned beforehand, alpha is spent over them: obrien-fleming hardly "
+          "anything early, pocock evenly. Exact binomial probabilities; alpha that whole numbers leave "
+          "unspent is carried on. One-sided.",
       .inputs = {{.name = "trials",
                   .kind = Input::Kind::Counts,
                   .meaning = fmt::format("Answers that are in at each look, up to {}", kMostAtALook)},

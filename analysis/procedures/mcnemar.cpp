@@ -52,10 +52,9 @@ Procedure mcnemar_procedure() {
       .title = "McNemar's test",
       .teaches =
           "The table counts pairs of answers to the same trials: both correct, the first only, the second "
-          "only, "
-          "neither. Only where the design pairs trials: two contact models that an examinee met on separate "
-          "trials are compared by examinee (permutation, wilcoxon) instead. The example is that of Agresti, "
-          "Categorical Data Analysis, section 10.1.",
+          "only, neither. Only where the design pairs trials: two contact models that an examinee met on "
+          "separate trials are compared by examinee (permutation, wilcoxon) instead. The example is that of "
+          "Agresti, Categorical Data Analysis, section 10.1.",
       .inputs = {{.name = "table",
                   .kind = Input::Kind::Counts,
                   .meaning = "Counts: both, first only, second only, neither"},

@@ -5,6 +5,7 @@
 
 #include "analysis/procedures/procedure.hpp"
 #include "analysis/procedures/psychometric_request.hpp"
+#include "base/text/shard.hpp"
 
 namespace palpate::analysis {
 
@@ -14,7 +15,7 @@ Outcome psychometric_outcome(const PsychometricRequest& request);
 Outcome psychometric_outcome(const PsychometricRequest& request, const std::vector<Replicate>& replicates);
 
 /// The result with the replicates of one shard in its "bootstrap" and nothing yet that needs them all.
-Outcome psychometric_shard(const PsychometricRequest& request, Shard shard);
+Outcome psychometric_shard(const PsychometricRequest& request, base::Shard shard);
 
 /// Throws nlohmann::json::exception or std::invalid_argument unless this has all that merging reads of a
 /// shard.

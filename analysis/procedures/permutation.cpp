@@ -38,10 +38,8 @@ Procedure permutation_procedure() {
       .teaches =
           "If the two things compared are exchangeable for each examinee, a difference has either sign with "
           "probability 1/2. The test counts the sign patterns whose sum is as extreme as the one seen: all "
-          "of "
-          "them where that can be done (up to 20 differences, or whole steps of a common unit), else a "
-          "seeded "
-          "sample.",
+          "of them where that can be done (up to 20 differences, or whole steps of a common unit), else a "
+          "seeded sample.",
       .inputs = {side_input("two-sided"),
                  {.name = "resamples",
                   .kind = Input::Kind::Count,

@@ -67,8 +67,7 @@ Outcome power_outcome(const Arguments& asked) {
   const PowerCurve curve = power_curve(power, asked.count("largest"));
   Outcome outcome{.text = in_words(curve, power, at)};
   outcome.json = {{"procedure", "power"}, {"probability", power.probability}};
-  outcome.json["power"] =
-      at ? nlohmann::ordered_json(curve.power[static_cast<std::size_t>(*at / power.each - 1)]) : nullptr;
+  outcome.json["power"] = at ? nlohmann::ordered_json(curve.power[*at / power.each - 1]) : nullptr;
   outcome.json["sample_size"] = to_json(curve.size);
   outcome.json["sawtooth"] = {{"trials", curve.trials}, {"power", curve.power}};
   outcome.json["method"] = to_json(curve.size.method);
@@ -83,14 +82,11 @@ Procedure power_procedure() {
           .title = "exact power of the binomial test",
           .teaches =
               "Power is the probability that the test rejects guessing when the truth is as given: by the "
-              "proportion correct, or "
-              "by d' of a two-interval forced choice. The exact test's power rises in a sawtooth, so that a "
-              "larger study may have "
-              "less: the first number with the target and the number from which it lasts are both given, and "
-              "the sawtooth itself "
-              "in JSON. With overdispersion, examinees differ: their probabilities follow a beta "
-              "distribution (gamma 0 to 1). "
-              "For a whole protocol with its looks and balanced orders: palpate plan.",
+              "proportion correct, or by d' of a two-interval forced choice. The exact test's power rises in "
+              "a sawtooth, so that a larger study may have less: the first number with the target and the "
+              "number from which it lasts are both given, and the sawtooth itself in JSON. With "
+              "overdispersion, examinees differ: their probabilities follow a beta distribution (gamma 0 to "
+              "1). For a whole protocol with its looks and balanced orders: palpate plan.",
           .inputs =
               {{.name = "probability",
                 .kind = Input::Kind::Fraction,

@@ -9,6 +9,7 @@
 #include "analysis/procedures/psychometric_result.hpp"
 #include "analysis/statistics/to_json.hpp"
 #include "analysis/words.hpp"
+#include "base/text/shard.hpp"
 
 namespace palpate::analysis {
 namespace {
@@ -167,7 +168,7 @@ Outcome psychometric_outcome(const PsychometricRequest& request) {
   return outcome_of(request, one, replicates_of(request, one, {0, request.replicates}));
 }
 
-Outcome psychometric_shard(const PsychometricRequest& request, Shard shard) {
+Outcome psychometric_shard(const PsychometricRequest& request, base::Shard shard) {
   if (request.replicates == 0) throw std::invalid_argument("a shard of 0 replicates; ask for some");
   const Fitted one = fitted(request);
   const Share share = share_of(request.replicates, shard.k, shard.n);
@@ -192,11 +193,10 @@ Procedure psychometric_procedure() {
       .title = "psychometric function",
       .teaches =
           "Fits psi(x) = guess + (1 - guess - lapse) F(x) by maximum likelihood. The guess rate is fixed: "
-          "1/m "
-          "for m choices; 0 where the answers tell whether the comparison felt more than the standard, and "
-          "then the level at F = 0.5 is the point of subjective equality. The lapse rate is fixed or free "
-          "within bounds. It asks for blocks of independent answers with one function for all; the deviance "
-          "tells where that is wrong. Separable answers have an infinite slope: the result says so.",
+          "1/m for m choices; 0 where the answers tell whether the comparison felt more than the standard, "
+          "and then the level at F = 0.5 is the point of subjective equality. The lapse rate is fixed or "
+          "free within bounds. It asks for blocks of independent answers with one function for all; the "
+          "deviance tells where that is wrong. Separable answers have an infinite slope: the result says so.",
       .inputs = psychometric_inputs(),
       .data = block_data(),
       .outputs = psychometric_outputs(),

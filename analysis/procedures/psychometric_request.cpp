@@ -6,6 +6,7 @@
 
 #include "analysis/procedures/procedure.hpp"
 #include "analysis/procedures/read_number.hpp"
+#include "base/text/shard.hpp"
 
 namespace palpate::analysis {
 namespace {
@@ -78,12 +79,9 @@ PsychometricRequest psychometric_request(const Arguments& asked) {
       fmt::format("standard is {}; a Weber fraction needs a standard above 0", *request.standard));
 }
 
-Shard shard_from_text(const std::string& text) {
-  const std::size_t slash = text.find('/');
-  if (slash != std::string::npos) {
-    const auto k = read_count(text.substr(0, slash)), n = read_count(text.substr(slash + 1));
-    if (k && n && *k >= 1 && *k <= *n && *n <= kMostReplicates) return {.k = *k, .n = *n};
-  }
+base::Shard shard_from_text(const std::string& text) {
+  const auto shard = base::parse_shard(text);
+  if (shard && shard->n <= kMostReplicates) return *shard;
   throw std::invalid_argument(
       fmt::format("shard is '{}'; accepted: K/N with K from 1 to N, such as 2/4", text));
 }

@@ -6,6 +6,7 @@
 
 #include "analysis/procedures/arguments.hpp"
 #include "analysis/psychometric/bootstrap.hpp"
+#include "base/text/shard.hpp"
 
 namespace palpate::analysis {
 
@@ -21,17 +22,11 @@ struct PsychometricRequest {
   std::uint64_t seed = 1;
 };
 
-/// A part of the replicates: "2/4" is the second of four.
-struct Shard {
-  long k = 1;
-  long n = 1;
-};
-
 // From the arguments of a procedure; each throws std::invalid_argument with what was found and is accepted.
 std::vector<Block> blocks_of(const DataTable& table);
 PsychometricModel model_of(const Arguments& asked);  // shape, guess, lapse, lapse-max, threshold-at
 PsychometricRequest psychometric_request(const Arguments& asked);
-Shard shard_from_text(const std::string& text);
+base::Shard shard_from_text(const std::string& text);
 
 // The same to and from JSON, without loss.
 nlohmann::ordered_json to_json(const PsychometricRequest& request);

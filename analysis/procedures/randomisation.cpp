@@ -35,8 +35,7 @@ std::string in_words(const OrderRandomisationTest& test, Side side) {
     region = fmt::format("{} or fewer, or {} or more", *test.critical.at_most, *test.critical.at_least);
   return fmt::format(
              "{} of {} correct; whoever feels nothing and answers so has {} on the average (standard "
-             "deviation "
-             "{})\n",
+             "deviation {})\n",
              test.correct, test.trials, number(test.expected), number(test.standard_deviation)) +
          p_line(test.p, side) +
          fmt::format("{} of {} would reject at alpha {} (probability under guessing {})\n", region,
@@ -72,12 +71,9 @@ Procedure randomisation_procedure() {
       .title = "randomisation test over the admissible orders",
       .teaches =
           "For two-interval studies in which each examinee met either order equally often. Balanced orders "
-          "are not "
-          "independent, so the binomial test does not hold. Whoever feels nothing would have answered the "
-          "same whatever "
-          "order had been drawn: the answers are held fixed and every order that could have been drawn "
-          "counts as much as "
-          "the one that was. Exact.",
+          "are not independent, so the binomial test does not hold. Whoever feels nothing would have "
+          "answered the same whatever order had been drawn: the answers are held fixed and every order that "
+          "could have been drawn counts as much as the one that was. Exact.",
       .inputs = {alpha_input(), side_input("greater")},
       .data = {.shape = Data::Shape::Columns,
                .meaning = "one examinee (and cell) a row",

@@ -60,8 +60,7 @@ double bound_of(const Arguments& asked) {
   if (asked.given("discriminators") == asked.given("proportion")) {
     throw std::invalid_argument(
         "similarity needs its bound once: either discriminators (such as 0.2) or proportion (correct, such "
-        "as "
-        "0.6)");
+        "as 0.6)");
   }
   if (asked.given("proportion")) return asked.number("proportion");
   return proportion_at(asked.number("discriminators"), asked.number("chance"));

@@ -74,8 +74,7 @@ std::string in_words(const StevensFit& fit) {
   if (!fit.balanced) {
     text +=
         "Not every examinee judged every level: the geometric means mix levels with people; the exponent "
-        "does "
-        "not.\n";
+        "does not.\n";
   }
   return text +
          fmt::format("The line explains {} of the variance within examinees\n", percent(fit.r_squared)) +
@@ -97,11 +96,9 @@ Procedure stevens_procedure() {
       .teaches =
           "Each examinee gives numbers in proportion to what is felt, in a unit of their own. On logarithms "
           "the power law is a straight line whose slope is the exponent; a factor for each examinee takes "
-          "the "
-          "units out. The first interval takes single estimates as independent and the exponent as "
+          "the units out. The first interval takes single estimates as independent and the exponent as "
           "everybody's; the mean of the examinees' own exponents, with its interval, is the claim about "
-          "people "
-          "like them.",
+          "people like them.",
       .inputs = {level_input()},
       .data = {.shape = Data::Shape::Columns,
                .meaning = "one estimate a row",

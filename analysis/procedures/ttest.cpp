@@ -53,9 +53,8 @@ Procedure ttest_procedure() {
           .title = "paired t-test",
           .teaches =
               "Student's test on the differences of pairs, with Cohen's d_z, the mean in standard deviations "
-              "of the "
-              "differences. It asks for independent differences from a normal distribution, or for many of "
-              "them; permutation asks for less. Which one is used is decided beforehand.",
+              "of the differences. It asks for independent differences from a normal distribution, or for "
+              "many of them; permutation asks for less. Which one is used is decided beforehand.",
           .inputs = {side_input("two-sided"), level_input()},
           .data = difference_data("One thing less the other, for each examinee"),
           .outputs = {{"n", "Differences given"},

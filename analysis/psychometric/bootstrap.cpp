@@ -46,10 +46,11 @@ double drawn(const std::vector<double>& below, double uniform) {
 
 // Linear between the order statistics about place 1 ... size.
 double order_statistic(const std::vector<double>& sorted, double place) {
-  const double floor = std::floor(place), share = place - floor;
-  const double low = sorted[static_cast<std::size_t>(floor) - 1];
-  if (share == 0 || floor >= static_cast<double>(sorted.size())) return low;
-  const double high = sorted[static_cast<std::size_t>(floor)];
+  const auto below = static_cast<std::size_t>(place);
+  const double share = place - std::floor(place);
+  const double low = sorted[below - 1];
+  if (share == 0 || below >= sorted.size()) return low;
+  const double high = sorted[below];
   return low == high || std::isinf(low) ? low : low + share * (high - low);
 }
 

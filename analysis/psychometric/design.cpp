@@ -49,8 +49,8 @@ std::optional<std::string> unfit_levels(std::span<const Block> blocks, const Psy
   for (const Block& block : blocks) levels.insert(block.level);
   if (on_log_levels(model.shape) && *levels.begin() <= 0) {
     return fmt::format(
-        "the Weibull function starts at level 0, and there is a level {}; take another shape "
-        "or levels above 0",
+        "the Weibull function starts at level 0, and there is a level {}; take another shape or levels above "
+        "0",
         *levels.begin());
   }
   if (std::ssize(levels) >= free_parameters(model)) return std::nullopt;

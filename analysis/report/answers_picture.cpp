@@ -50,7 +50,7 @@ std::string hill(const CellResult& cell, const Scale& scale, double base) {
   const double centre = cell.primary->chance * static_cast<double>(cell.trials);
   std::vector<std::pair<double, double>> all, rejected_low, rejected_high;
   const auto add = [&](auto& points, long k) {
-    const double height = base - kHill * guessing[static_cast<std::size_t>(k)] / top;
+    const double height = base - kHill * guessing[k] / top;
     points.emplace_back(scale.at(static_cast<double>(k) - 0.5, cell.trials), height);
     points.emplace_back(scale.at(static_cast<double>(k) + 0.5, cell.trials), height);
   };

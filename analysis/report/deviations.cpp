@@ -69,8 +69,7 @@ std::vector<std::string> plan_in_words(const StudyReport& report) {
   } else {
     words.push_back(
         "No analysis plan was frozen. The protocol, which names the primary test, alpha and the sample, was "
-        "stored "
-        "with the first session and cannot be changed since.");
+        "stored with the first session and cannot be changed since.");
   }
   words.push_back(fmt::format(
       "Planned: {} examinees; primary test {}, alpha {}, side {}; between cells {}{}.",

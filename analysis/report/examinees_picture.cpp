@@ -77,8 +77,7 @@ std::string histogram(const StudyReport& report) {
   for (std::size_t c = 0; c < report.cells.size(); ++c) {
     std::array<long, kBins> counts{};
     for (const ExamineeCount& count : report.cells[c].by_examinee) {
-      if (count.trials > 0)
-        ++counts[static_cast<std::size_t>(std::min((kBins - 1L), kBins * count.correct / count.trials))];
+      if (count.trials > 0) ++counts[std::min((kBins - 1L), kBins * count.correct / count.trials)];
     }
     const double most = static_cast<double>(std::max(1L, *std::max_element(counts.begin(), counts.end())));
     const double base = kTop + kPanel * static_cast<double>(c + 1);

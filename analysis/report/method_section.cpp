@@ -41,8 +41,7 @@ std::string task(const StudyReport& report) {
   std::vector<std::string> cells;
   for (const Cell& cell : design.cells) cells.push_back(cell.name);
   std::string text = fmt::format(
-      "Each trial was a two-interval forced choice between {}; the correct answer was the "
-      "interval with {}.",
+      "Each trial was a two-interval forced choice between {}; the correct answer was the interval with {}.",
       listed(design.conditions), design.correct_condition);
   if (!design.question.empty()) text += fmt::format(" Question: \"{}\".", design.question);
   if (!design.factors.empty())
@@ -105,8 +104,8 @@ std::string analysis_plan(const StudyReport& report) {
   const StudyDesign& design = report.design;
   std::string text = fmt::format(
       "Primary test, fixed in the protocol: {} of the number of correct answers for each {} against 1/2 "
-      "(paired "
-      "comparison; alpha {}, {}).{} Intervals for proportions are two-sided Clopper-Pearson intervals of {}.",
+      "(paired comparison; alpha {}, {}).{} Intervals for proportions are two-sided Clopper-Pearson "
+      "intervals of {}.",
       design.primary == "paired-comparison"
           ? "exact binomial test"
           : "exact randomisation test over the orders that could have been drawn (answers held fixed)",
@@ -115,10 +114,8 @@ std::string analysis_plan(const StudyReport& report) {
       short_percent(report.options.level));
   text +=
       " Secondary: a sign-flip permutation test of the examinees' proportions correct against 1/2, with an "
-      "interval "
-      "by test inversion; d' = sqrt(2) z(proportion correct), at 0 and 100 % corrected by 1/(2n) (Macmillan "
-      "& "
-      "Kaplan 1985); the share of answers '1' against 1/2 (interval bias).";
+      "interval by test inversion; d' = sqrt(2) z(proportion correct), at 0 and 100 % corrected by 1/(2n) "
+      "(Macmillan & Kaplan 1985); the share of answers '1' against 1/2 (interval bias).";
   if (design.cells.size() > 1) {
     text += fmt::format(
         " Cells were compared on the differences of proportions correct within examinees, two-sided, by a "
@@ -138,9 +135,9 @@ std::string analysis_plan(const StudyReport& report) {
 void add_sample_limits(const StudyReport& report, std::vector<std::string>& limits) {
   if (report.complete_examinees > report.planned_examinees) {
     limits.push_back(fmt::format(
-        "{} examinees are complete where {} were planned. The tests count the first {} to "
-        "complete. The count with everybody is no part of the plan: were the results looked at on "
-        "the way, alpha does not hold for it.",
+        "{} examinees are complete where {} were planned. The tests count the first {} to complete. The "
+        "count with everybody is no part of the plan: were the results looked at on the way, alpha does not "
+        "hold for it.",
         report.complete_examinees, report.planned_examinees, report.planned_examinees));
   }
   const auto unfinished = std::count_if(report.sessions.begin(), report.sessions.end(),

@@ -12,8 +12,7 @@ constexpr double kChance = 0.5;  // of two intervals
 PlannedLook planned_look_at(const StudyDesign& design, const LookTaken& look, long trials, Side side) {
   std::vector<long> counts;
   for (int i = 0; i + 1 < look.number; ++i) {
-    const long planned =
-        long{design.looks[static_cast<std::size_t>(i)]} * design.trials_per_examinee_per_cell;
+    const long planned = long{design.looks[i]} * design.trials_per_examinee_per_cell;
     if (planned < trials) counts.push_back(planned);
   }
   counts.push_back(trials);
@@ -28,7 +27,7 @@ PlannedLook planned_look_at(const StudyDesign& design, const LookTaken& look, lo
 std::optional<LookTaken> look_due(const StudyDesign& design, long complete) {
   const auto looks = static_cast<int>(design.looks.size());
   for (int i = 0; i < looks; ++i) {
-    const long at = design.looks[static_cast<std::size_t>(i)];
+    const long at = design.looks[i];
     const bool last = i + 1 == looks;
     if (complete != at && !(last && complete > at)) continue;
     const double share = static_cast<double>(at) / static_cast<double>(design.planned_examinees);

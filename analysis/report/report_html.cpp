@@ -186,8 +186,7 @@ std::string provenance_section(const StudyReport& report) {
   if (!report.options.receipt.empty())
     text += fmt::format(
         "<p>Computed from a study file with the receipt <code>{0}</code>: <code>palpate verify STUDY "
-        "--receipt "
-        "{0}</code> tells whether a file still holds these answers.</p>\n",
+        "--receipt {0}</code> tells whether a file still holds these answers.</p>\n",
         escape(report.options.receipt));
   text += html_table(examinee_table(report));
   if (!report.curves.empty()) text += html_table(curve_table(report));

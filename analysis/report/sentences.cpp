@@ -18,8 +18,8 @@ void write_sentences(const std::vector<std::string>& notes, StudyReport& report)
           ? "A fair coin decided each order, so an answer that owes nothing to the stimulus is correct with "
             "probability 1/2, whoever gives it and however often."
           : "The orders were balanced and drawn at random, so for answers that owe nothing to the stimulus "
-            "every "
-            "order that could have been drawn is as likely as the one that was; the answers are held fixed.";
+            "every order that could have been drawn is as likely as the one that was; the answers are held "
+            "fixed.";
   report.pooled_claim =
       "The pooled test asks whether anything but guessing is in the answers. " + why +
       " A rejection says that somebody told the conditions apart; it does not say how many do.";
@@ -28,8 +28,7 @@ void write_sentences(const std::vector<std::string>& notes, StudyReport& report)
       " like these answer better than by chance on the average; it does not say that every one of them does.";
   report.comparison_claim =
       "Cells are compared within examinees, never trial by trial, because trials under different cells are "
-      "not pairs. A "
-      "rejection says that " +
+      "not pairs. A rejection says that " +
       people + " like these do better under one of them on the average.";
   if (!report.complete) {
     const std::string not_yet = fmt::format(" It is read when the sample is complete: {}.", kNoClaim);

@@ -268,9 +268,8 @@ std::vector<std::string> banners(const StudyReport& report) {
         "{}: {} of {} planned examinees are complete.{}", report.withheld ? "NOT COMPLETE" : "INTERIM LOOK",
         report.complete_examinees, report.planned_examinees,
         report.withheld ? " No test is shown before the planned sample is reached."
-                        : " The tests below were read before the planned sample was reached; "
-                          "to stop because of them would make false positives more frequent "
-                          "than alpha."));
+                        : " The tests below were read before the planned sample was reached; to stop because "
+                          "of them would make false positives more frequent than alpha."));
   }
   return banners;
 }

@@ -165,8 +165,7 @@ TextTable sensitivity_table(const StudyReport& report) {
   table.note =
       "d' = sqrt(2) z(proportion correct) for an observer without a preferred interval; 'd' by order' does "
       "without that assumption. Correct answers are given by the interval that held the correct condition; "
-      "the "
-      "share of answers '1' is tested against 1/2, two-sided.";
+      "the share of answers '1' is tested against 1/2, two-sided.";
   if (corrected) table.note += " * 0 or 100 % corrected by 1/(2n) (Macmillan & Kaplan 1985).";
   return table;
 }
@@ -213,8 +212,7 @@ TextTable stimulus_table(const StudyReport& report) {
   }
   table.note =
       "Means over intervals, but for the worst values and the sum of missed cycles. A loop that did not run "
-      "in "
-      "real time (simulated examinees) has no timing.";
+      "in real time (simulated examinees) has no timing.";
   return table;
 }
 

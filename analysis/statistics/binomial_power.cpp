@@ -33,8 +33,7 @@ SampleSize binomial_sample_size(double chance, double probability, double alpha,
                                              : probability != chance;
   if (!on_side || !(probability >= 0 && probability <= 1)) {
     throw std::invalid_argument(
-        fmt::format("true proportion is {}, chance {}: the test with side '{}' cannot "
-                    "be expected to find it",
+        fmt::format("true proportion is {}, chance {}: the test with side '{}' cannot be expected to find it",
                     probability, chance, name_of(side)));
   }
   if (step < 1) throw std::invalid_argument(fmt::format("step is {}; at least 1 is needed", step));

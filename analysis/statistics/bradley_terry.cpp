@@ -151,7 +151,7 @@ PairedScaling paired_scaling(const std::vector<Comparison>& comparisons, ScaleMo
   judge(result, graph);
   const double z = critical_z(level);
   for (Eigen::Index i = 0; i < count; ++i) {
-    ScaledItem item{.name = graph.names[static_cast<std::size_t>(i)], .value = values[i]};
+    ScaledItem item{.name = graph.names[i], .value = values[i]};
     for (const Comparison& one : comparisons) {
       if (one.winner == item.name) item.wins += one.count;
       if (one.loser == item.name) item.losses += one.count;

@@ -33,8 +33,8 @@ Detection yes_no(const DetectionCounts& counts, DPrimeCorrection correction, dou
 
 /// Same-different: two observations a trial, "different" answered by one of two strategies
 /// [MacmillanCreelman2005] ch. 9.
-/// Differencing: when they lie further apart than the criterion k: F = 2 Φ(−k/√2),
-/// H = Φ((d' − k)/√2) + Φ((−d' − k)/√2).
+/// Differencing: when they lie further apart than the criterion k: F = 2 Φ(−k/√2), H = Φ((d' − k)/√2) +
+/// Φ((−d' − k)/√2).
 /// Independent observations: when each is judged against the boundary between the two stimuli and the
 /// judgements differ, or, off the neutral criterion, by the likelihood ratio, whose ROC is taken for that of
 /// two normal distributions of one variance, as the published tables do: Φ((z(H) − z(F))/2) = Φ(d'/2)² +

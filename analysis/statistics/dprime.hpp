@@ -48,8 +48,8 @@ DPrime dprime(const ChoiceTask& task, long correct, long trials, DPrimeCorrectio
 /// Sources: [MacmillanCreelman2005] ch. 7, [HackerRatcliff1979] table for m = 2.
 DPrime dprime_2ifc(long correct, long trials, DPrimeCorrection correction, double level = 0.95);
 
-/// The same without the assumption of no bias, from the hit rates of the two orders:
-/// d' = (z(H1) + z(H2))/sqrt(2), c = (z(H2) - z(H1))/2: below 0 the first interval is favoured.
+/// The same without the assumption of no bias, from the hit rates of the two orders: d' = (z(H1) +
+/// z(H2))/sqrt(2), c = (z(H2) - z(H1))/2: below 0 the first interval is favoured.
 struct DPrimeByOrder {
   double d_prime = 0.0;
   double standard_error = 0.0;  // by the delta method; infinite where d_prime is

@@ -13,8 +13,8 @@ ExamineeLevelTest examinee_level_test(std::span<const ExamineeCount> counts, dou
   if (counts.empty()) throw std::invalid_argument("no examinees; the examinee-level test needs at least 1");
   if (chance != 0.5) {
     throw std::invalid_argument(
-        fmt::format("chance is {}; the examinee-level sign-flip test needs chance 1/2, "
-                    "where guessing is symmetric",
+        fmt::format("chance is {}; the examinee-level sign-flip test needs chance 1/2, where guessing is "
+                    "symmetric",
                     chance));
   }
   std::vector<double> above(counts.size());

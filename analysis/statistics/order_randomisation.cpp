@@ -40,7 +40,7 @@ std::vector<double> of_stratum(const OrderStratum& s) {
   const long fewest = std::max(0L, s.correct_first + s.answers_first - s.trials);
   for (long a = fewest; a <= std::min(s.correct_first, s.answers_first); ++a) {
     const long correct = 2 * a + s.trials - s.correct_first - s.answers_first;
-    probability[static_cast<std::size_t>(correct)] = boost::math::pdf(both, count(a));
+    probability[correct] = boost::math::pdf(both, count(a));
   }
   return probability;
 }
@@ -72,7 +72,7 @@ std::vector<double> all_p(const std::vector<double>& probability, Side side) {
     std::partial_sum(sorted.begin(), sorted.end(), sums.begin());
     for (std::size_t k = 0; k < p.size(); ++k) {
       const auto above = std::upper_bound(sorted.begin(), sorted.end(), probability[k] * (1 + kAlike));
-      p[k] = sums[static_cast<std::size_t>(above - sorted.begin()) - 1];
+      p[k] = sums[above - sorted.begin() - 1];
     }
   }
   return p;

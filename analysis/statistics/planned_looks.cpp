@@ -63,8 +63,7 @@ std::vector<PlannedLook> planned_looks(std::span<const long> trials, double chan
     const double may_be_spent =
         spent(spending, alpha, static_cast<double>(n) / static_cast<double>(trials.back()));
     long k = n + 1;
-    while (k > 0 && used + going_on[static_cast<std::size_t>(k - 1)] <= may_be_spent * kRounding)
-      used += going_on[static_cast<std::size_t>(--k)];
+    while (k > 0 && used + going_on[k - 1] <= may_be_spent * kRounding) used += going_on[--k];
     PlannedLook look{.critical = {.trials = n, .chance = chance, .alpha = may_be_spent, .side = side},
                      .size = used};
     look.critical.size = used - (looks.empty() ? 0.0 : looks.back().size);

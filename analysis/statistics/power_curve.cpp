@@ -22,8 +22,7 @@ void validate(const PowerAsked& asked, long largest) {
   }
   if (asked.each < 1 || largest < asked.each || largest > kMostTrials) {
     throw std::invalid_argument(
-        fmt::format("{} answers of each examinee, at most {} in all; accepted: 1 <= each <= all "
-                    "<= {}",
+        fmt::format("{} answers of each examinee, at most {} in all; accepted: 1 <= each <= all <= {}",
                     asked.each, largest, kMostTrials));
   }
 }

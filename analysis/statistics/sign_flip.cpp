@@ -117,7 +117,7 @@ Interval invert(Subsets subsets, double patterns, double level, std::string meth
   std::vector<double>& means = subsets.means;
   if (m < 1 || m > std::ssize(means)) return interval;
   std::nth_element(means.begin(), means.begin() + (m - 1), means.end());
-  interval.lower = means[static_cast<std::size_t>(m - 1)];
+  interval.lower = means[m - 1];
   std::nth_element(means.begin(), means.end() - m, means.end());
   interval.upper = *(means.end() - m);
   return interval;

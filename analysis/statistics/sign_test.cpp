@@ -21,8 +21,8 @@ Interval median_interval(const std::vector<double>& sorted, double level) {
   const long n = std::ssize(sorted);
   const auto rejected = critical_number(n, 0.5, (1 - level) / 2, Side::Less).at_most;
   if (!rejected) return interval;
-  interval.lower = sorted[static_cast<std::size_t>(*rejected)];
-  interval.upper = sorted[static_cast<std::size_t>(n - 1 - *rejected)];
+  interval.lower = sorted[*rejected];
+  interval.upper = sorted[n - 1 - *rejected];
   return interval;
 }
 

@@ -17,15 +17,15 @@ struct Point {
 using ByExaminee = std::map<std::string, std::vector<Point>>;
 
 // Sums of squares and products about an examinee's own means, which takes the factor c_i out.
-struct Sums {
+struct CentredSums {
   double xx = 0.0, xy = 0.0, yy = 0.0;
 };
 
-Sums within(const std::vector<Point>& points) {
+CentredSums within(const std::vector<Point>& points) {
   const double n = static_cast<double>(points.size());
   double x = 0.0, y = 0.0;
   for (const Point& point : points) x += point.x / n, y += point.y / n;
-  Sums sums;
+  CentredSums sums;
   for (const Point& point : points) {
     sums.xx += (point.x - x) * (point.x - x);
     sums.xy += (point.x - x) * (point.y - y);
@@ -92,7 +92,7 @@ std::optional<ExponentsOfExaminees> exponents_of(const ByExaminee& grouped, doub
   std::vector<double> exponents;
   for (const auto& [name, points] : grouped) {
     if (!has_two_levels(points)) continue;
-    const Sums sums = within(points);
+    const CentredSums sums = within(points);
     exponents.push_back(sums.xy / sums.xx);
   }
   if (exponents.size() < 2) return std::nullopt;
@@ -111,9 +111,9 @@ std::optional<ExponentsOfExaminees> exponents_of(const ByExaminee& grouped, doub
 StevensFit stevens_fit(const std::vector<MagnitudeEstimate>& estimates, double level) {
   require_level(level, "confidence level");
   const ByExaminee grouped = group(estimates);
-  Sums sums;
+  CentredSums sums;
   for (const auto& [name, points] : grouped) {
-    const Sums own = within(points);
+    const CentredSums own = within(points);
     sums.yy += own.yy;
     if (has_two_levels(points)) sums.xx += own.xx, sums.xy += own.xy;  // else they are round-off
   }

@@ -7,7 +7,7 @@
 #include "app/loop/interval_engine.hpp"
 #include "app/loop/loop_clock.hpp"
 #include "app/loop/snapshot.hpp"
-#include "trials/trace.hpp"
+#include "trials/trace/trace.hpp"
 
 namespace palpate::app {
 

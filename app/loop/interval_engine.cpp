@@ -80,8 +80,8 @@ void IntervalEngine::record(const sim::Vec3& force_on_finger) {
   sample.proposed_depth = static_cast<float>(probe_.hand);
   sample.depth = static_cast<float>(probe_.depth);
   for (int axis = 0; axis < 3; ++axis) {
-    sample.displacement[static_cast<std::size_t>(axis)] = static_cast<float>(displacement[axis]);
-    sample.force[static_cast<std::size_t>(axis)] = static_cast<float>(force_on_finger[axis]);
+    sample.displacement[axis] = static_cast<float>(displacement[axis]);
+    sample.force[axis] = static_cast<float>(force_on_finger[axis]);
   }
   trace_.push_back(sample);
 }

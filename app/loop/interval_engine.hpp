@@ -6,7 +6,7 @@
 #include "app/loop/force_guard.hpp"
 #include "app/loop/pseudo_haptic.hpp"
 #include "sim/cycle/cycle.hpp"
-#include "trials/trace.hpp"
+#include "trials/trace/trace.hpp"
 
 namespace palpate::app {
 

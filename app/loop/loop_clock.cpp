@@ -15,7 +15,7 @@ void LoopClock::reset() {
 void LoopClock::add(std::chrono::nanoseconds period, long missed) {
   const std::int64_t bin = std::clamp<std::int64_t>(period.count() / kBinNanoseconds, 0,
                                                     static_cast<std::int64_t>(bins_.size()) - 1);
-  ++bins_[static_cast<std::size_t>(bin)];
+  ++bins_[bin];
   ++cycles_;
   total_ += period.count();
   longest_ = std::max<std::int64_t>(longest_, period.count());

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <cstdint>
 
-#include "trials/trace.hpp"
+#include "trials/trace/trace.hpp"
 
 namespace palpate::app {
 

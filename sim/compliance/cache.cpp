@@ -6,9 +6,9 @@
 #include <system_error>
 #include <utility>
 
+#include "base/machine/environment.hpp"
 #include "sim/compliance/cache_file.hpp"
 #include "sim/elasticity/supports.hpp"
-#include "sim/io/environment.hpp"
 
 namespace palpate::sim {
 
@@ -17,10 +17,10 @@ ComplianceCache::ComplianceCache(std::filesystem::path folder,
     : folder_(std::move(folder)), tell_trouble_(std::move(trouble)) {}
 
 std::filesystem::path ComplianceCache::default_folder() {
-  if (const auto own = environment("PALPATE_CACHE")) return *own;
-  const std::filesystem::path shared = environment("XDG_CACHE_HOME").value_or("");
+  if (const auto own = base::environment("PALPATE_CACHE")) return *own;
+  const std::filesystem::path shared = base::environment("XDG_CACHE_HOME").value_or("");
   if (shared.is_absolute()) return shared / "palpate";  // the XDG rule: ignore relative ones
-  if (const auto home = environment("HOME")) return std::filesystem::path(*home) / ".cache" / "palpate";
+  if (const auto home = base::environment("HOME")) return std::filesystem::path(*home) / ".cache" / "palpate";
   return {};
 }
 

@@ -10,8 +10,8 @@
 #include <system_error>
 #include <type_traits>
 
-#include "sim/io/atomic_file.hpp"
-#include "sim/io/sha256.hpp"
+#include "base/files/atomic_file.hpp"
+#include "base/files/sha256.hpp"
 
 namespace palpate::sim {
 namespace {
@@ -104,7 +104,7 @@ std::string compliance_key(const TetMesh& mesh, std::span<const Material> materi
   append_sized(bytes, fixed);
   append_sized(bytes, touch);
   append_sized(bytes, drawn);
-  return sha256_hex(bytes);
+  return base::sha256_hex(bytes);
 }
 
 void write_compliance(const std::filesystem::path& file, const std::string& key,
@@ -116,9 +116,9 @@ void write_compliance(const std::filesystem::path& file, const std::string& key,
   const Header header{.touch = compliance.touch.size(),
                       .drawn = compliance.drawn.size(),
                       .key = digits(key),
-                      .digest = digits(sha256_hex(std::string_view(bytes).substr(sizeof(Header))))};
+                      .digest = digits(base::sha256_hex(std::string_view(bytes).substr(sizeof(Header))))};
   std::memcpy(bytes.data(), &header, sizeof(Header));
-  write_atomically(file, bytes);
+  base::write_atomically(file, bytes);
 }
 
 CompliancePayload read_compliance(const std::filesystem::path& file, const std::string& key,
@@ -144,7 +144,8 @@ CompliancePayload read_compliance(const std::filesystem::path& file, const std::
     return refused(fmt::format("has format version {}, must be {}", header.version, kVersion));
   if (header.key != digits(key) || header.touch != touch.size() || header.drawn != drawn.size())
     return refused("belongs to another body");
-  if (header.digest != digits(sha256_hex(payload))) return refused("its checksum does not fit its content");
+  if (header.digest != digits(base::sha256_hex(payload)))
+    return refused("its checksum does not fit its content");
   return {.compliance = decode_payload(payload, touch.size(), drawn.size()), .fault = ""};
 }
 

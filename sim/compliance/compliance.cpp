@@ -78,7 +78,7 @@ Eigen::MatrixXf by_columns(const Border& border, std::span<const int> wanted) {
     right.bottomRows(t) = inverse.middleCols(first, columns);
     const Eigen::MatrixXd x = border.stiffness.solve_transposed(right);
     for (std::size_t k = 0; k < wanted.size(); ++k) {
-      const int place = border.stiffness.place_of()[static_cast<std::size_t>(wanted[k])];
+      const int place = border.stiffness.place_of()[wanted[k]];
       result.block(static_cast<Eigen::Index>(3 * k), first, 3, columns) =
           x.middleRows(3 * place, 3).cast<float>();
     }
@@ -96,7 +96,7 @@ Eigen::MatrixXf by_rows(const Border& border, std::span<const int> wanted) {
     const std::size_t nodes = std::min(kNodes, wanted.size() - first);
     Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n, static_cast<Eigen::Index>(3 * nodes));
     for (std::size_t k = 0; k < nodes; ++k) {
-      const int place = border.stiffness.place_of()[static_cast<std::size_t>(wanted[first + k])];
+      const int place = border.stiffness.place_of()[wanted[first + k]];
       right.block<3, 3>(3 * place, static_cast<Eigen::Index>(3 * k)).setIdentity();
     }
     result.middleRows(static_cast<Eigen::Index>(3 * first), static_cast<Eigen::Index>(3 * nodes)) =

@@ -8,8 +8,8 @@ namespace {
 /// Contact force on the nodes of one body, booked with the pair of bodies that asked for the displacement.
 void book_contact_forces(const Model& model, int body, std::span<const double> multipliers, int probe_rows,
                          Scratch::Buffers& buffers) {
-  const Claims& claims = buffers.bodies[static_cast<std::size_t>(body)].actual_claims;
-  const double young_modulus = model.bodies[static_cast<std::size_t>(body)].young_modulus;
+  const Claims& claims = buffers.bodies[body].actual_claims;
+  const double young_modulus = model.bodies[body].young_modulus;
   for (std::size_t i = 0; i < claims.nodes.size(); ++i) {
     const auto node = static_cast<std::size_t>(claims.nodes[i]);
     const double* force = multipliers.data() + static_cast<std::size_t>(probe_rows) + 3 * i;
@@ -23,7 +23,7 @@ void book_contact_forces(const Model& model, int body, std::span<const double> m
 double residual(const Claims& claims, const Eigen::VectorXd& free, const Eigen::VectorXd& now) {
   double largest = 0.0, error = 0.0;
   for (const int node : claims.nodes) {
-    const Vec3& asked = claims.displacement[static_cast<std::size_t>(node)];
+    const Vec3& asked = claims.displacement[node];
     largest = std::max(largest, asked.norm());
     error = std::max(error, (now.segment<3>(3 * node) - free.segment<3>(3 * node) - asked).norm());
   }
@@ -43,7 +43,7 @@ SolveReport apply_claims(const Model& model, Scratch::Buffers& buffers) {
     body.actual.add_forces(buffers.loads.on_body[i]);
     body.actual.add_displacement(buffers.displacement[i]);
     for (const int probe : model.bodies[i].probes)
-      buffers.probe_forces[static_cast<std::size_t>(probe)] += body.actual.probe_force(probe);
+      buffers.probe_forces[probe] += body.actual.probe_force(probe);
     book_contact_forces(model, static_cast<int>(i), multipliers, body.actual.probe_rows(), buffers);
     report.residual =
         std::max(report.residual,

@@ -19,10 +19,10 @@ Vec3 temporary_displacement(const CollidingPair& pair) {
 int adjacent_polygon(const Body& body, const BodyMotion& motion, int node, const Vec3& normal_of_s) {
   const auto at = static_cast<std::size_t>(node);
   const int first = body.polygons.incident_begin[at];
-  int adjacent = body.polygons.incident[static_cast<std::size_t>(first)];
+  int adjacent = body.polygons.incident[first];
   double least = polygon_normal(body, motion, adjacent).dot(normal_of_s);
   for (int i = first + 1; i < body.polygons.incident_begin[at + 1]; ++i) {
-    const int polygon = body.polygons.incident[static_cast<std::size_t>(i)];
+    const int polygon = body.polygons.incident[i];
     const double alignment = polygon_normal(body, motion, polygon).dot(normal_of_s);
     if (alignment < least) {
       least = alignment;
@@ -35,7 +35,7 @@ int adjacent_polygon(const Body& body, const BodyMotion& motion, int node, const
 void ask_polygon(Scratch::Buffers& buffers, Claims BodyBuffers::*claims, const Model& model, int body,
                  int polygon, const Vec3& displacement, int touch_pair) {
   const auto at = static_cast<std::size_t>(body);
-  for (const int node : model.bodies[at].polygons.triangles[static_cast<std::size_t>(polygon)])
+  for (const int node : model.bodies[at].polygons.triangles[polygon])
     (buffers.bodies[at].*claims).ask(node, displacement, touch_pair);
 }
 
@@ -79,7 +79,7 @@ bool deform_temporarily(const Model& model, Scratch::Buffers& buffers) {
 double surface_force(const Model& model, const Scratch::Buffers& buffers, int body, int polygon) {
   const auto at = static_cast<std::size_t>(body);
   Vec3 sum = Vec3::Zero();
-  for (const int node : model.bodies[at].polygons.triangles[static_cast<std::size_t>(polygon)])
+  for (const int node : model.bodies[at].polygons.triangles[polygon])
     sum += buffers.bodies[at].temporary_forces.segment<3>(3 * node);
   return std::abs((sum / 3.0).dot(polygon_normal(model.bodies[at], buffers.free_motion[at], polygon)));
 }
@@ -94,16 +94,14 @@ PairShare share_of(const Model& model, const Scratch::Buffers& buffers, const Co
 }
 
 bool is_held(const Scratch::Buffers& buffers, int body, int node) {
-  return buffers.bodies[static_cast<std::size_t>(body)].actual_claims.held[static_cast<std::size_t>(node)] !=
-         0;
+  return buffers.bodies[body].actual_claims.held[node] != 0;
 }
 
 /// The part of u_temp that the node gives way by: |f_B| / (|f_A| + |f_B|) of equation (3). What a probe holds
 /// cannot give way at all, and leaves everything to the other side. Nothing where neither can.
 std::optional<double> share_of_node(const Model& model, const Scratch::Buffers& buffers,
                                     const CollidingPair& pair, const PairShare& share) {
-  const auto& corners = model.bodies[static_cast<std::size_t>(pair.polygon_body)]
-                            .polygons.triangles[static_cast<std::size_t>(pair.polygon)];
+  const auto& corners = model.bodies[pair.polygon_body].polygons.triangles[pair.polygon];
   const bool node_held = is_held(buffers, pair.node_body, pair.node);
   const bool polygon_held =
       std::ranges::all_of(corners, [&](int corner) { return is_held(buffers, pair.polygon_body, corner); });
@@ -123,7 +121,7 @@ void ask_actual(const Model& model, Scratch::Buffers& buffers, const CollidingPa
   if (!node_share) return;
   const Vec3 u_a = -*node_share * u_temp;
   const Vec3 u_b = (1.0 - *node_share) * u_temp;
-  buffers.bodies[static_cast<std::size_t>(pair.node_body)].actual_claims.ask(pair.node, u_a, pair.touch_pair);
+  buffers.bodies[pair.node_body].actual_claims.ask(pair.node, u_a, pair.touch_pair);
   ask_polygon(buffers, &BodyBuffers::actual_claims, model, pair.polygon_body, pair.polygon, u_b,
               pair.touch_pair);
 }

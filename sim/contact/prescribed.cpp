@@ -20,13 +20,13 @@ Claims::Claims(int touchable_nodes)
 }
 
 void Claims::clear() {
-  for (const int node : nodes) squared[static_cast<std::size_t>(node)] = -1.0;
+  for (const int node : nodes) squared[node] = -1.0;
   nodes.clear();
   std::ranges::fill(held, char{0});
 }
 
 void Claims::hold(std::span<const int> probe_nodes) {
-  for (const int node : probe_nodes) held[static_cast<std::size_t>(node)] = 1;
+  for (const int node : probe_nodes) held[node] = 1;
 }
 
 void Claims::ask(int node, const Vec3& displacement_asked, int touch_pair_asking) {
@@ -44,11 +44,9 @@ void Claims::sort() {
   std::ranges::sort(nodes);
 }
 
-PrescribedSolve::PrescribedSolve(const Model& model, int body)
-    : model_(model), body_(model.bodies[static_cast<std::size_t>(body)]) {
+PrescribedSolve::PrescribedSolve(const Model& model, int body) : model_(model), body_(model.bodies[body]) {
   int most = 3 * static_cast<int>(body_.colliding_nodes.size());
-  for (const int probe : body_.probes)
-    most += static_cast<int>(model.probes[static_cast<std::size_t>(probe)].axes.cols());
+  for (const int probe : body_.probes) most += static_cast<int>(model.probes[probe].axes.cols());
   stride_ = most;
   const auto size = static_cast<std::size_t>(most);
   rows_.reserve(size);
@@ -60,9 +58,9 @@ PrescribedSolve::PrescribedSolve(const Model& model, int body)
 double PrescribedSolve::entry(const Row& a, const Row& b) const {
   if (a.probe < 0 && b.probe < 0) return body_.compliance->touch_touch(a.index, b.index);
   if (a.probe < 0) return entry(b, a);
-  const Probe& pressing = model_.probes[static_cast<std::size_t>(a.probe)];
+  const Probe& pressing = model_.probes[a.probe];
   if (b.probe < 0) return pressing.compliance(b.index, a.index);
-  const Probe& other = model_.probes[static_cast<std::size_t>(b.probe)];
+  const Probe& other = model_.probes[b.probe];
   double sum = 0.0;  // the other probe's weighted mean of what this probe's unit force does
   for (std::size_t i = 0; i < other.nodes.size(); ++i)
     sum += other.weights[i] *
@@ -73,8 +71,8 @@ double PrescribedSolve::entry(const Row& a, const Row& b) const {
 bool PrescribedSolve::factor(const ProbeRows& probes, std::span<const int> nodes) {
   wanted_.clear();
   for (const int probe : body_.probes) {
-    if (!probes[static_cast<std::size_t>(probe)].pressing) continue;
-    const auto axes = static_cast<int>(model_.probes[static_cast<std::size_t>(probe)].axes.cols());
+    if (!probes[probe].pressing) continue;
+    const auto axes = static_cast<int>(model_.probes[probe].axes.cols());
     for (int axis = 0; axis < axes; ++axis) wanted_.push_back({probe, axis});
   }
   probe_rows_ = static_cast<int>(wanted_.size());
@@ -89,8 +87,7 @@ bool PrescribedSolve::factor(const ProbeRows& probes, std::span<const int> nodes
     double* const row_i = row(i);
     for (int j = 0; j <= i; ++j) {
       const double* const row_j = row(j);
-      const double rest = entry(rows_[static_cast<std::size_t>(i)], rows_[static_cast<std::size_t>(j)]) -
-                          RowMap(row_i, j).dot(RowMap(row_j, j));
+      const double rest = entry(rows_[i], rows_[j]) - RowMap(row_i, j).dot(RowMap(row_j, j));
       if (j < i)
         row_i[j] = rest / row_j[j];
       else if (rest > 0.0)
@@ -107,12 +104,11 @@ std::span<const double> PrescribedSolve::solve(const ProbeRows* probe_values,
                                                std::span<const Vec3> node_values) {
   multipliers_.clear();
   for (int i = 0; i < rows(); ++i) {
-    const Row& wanted = rows_[static_cast<std::size_t>(i)];
+    const Row& wanted = rows_[i];
     if (wanted.probe < 0)
-      multipliers_.push_back(node_values[static_cast<std::size_t>(wanted.index / 3)][wanted.index % 3]);
+      multipliers_.push_back(node_values[wanted.index / 3][wanted.index % 3]);
     else
-      multipliers_.push_back(
-          probe_values ? (*probe_values)[static_cast<std::size_t>(wanted.probe)].value[wanted.index] : 0.0);
+      multipliers_.push_back(probe_values ? (*probe_values)[wanted.probe].value[wanted.index] : 0.0);
   }
   Eigen::Map<Eigen::VectorXd> x(multipliers_.data(), rows());
   for (int i = 0; i < rows(); ++i) x[i] = (x[i] - RowMap(row(i), i).dot(x.head(i))) / row(i)[i];
@@ -129,9 +125,7 @@ void PrescribedSolve::add_displacement(Eigen::VectorXd& displacement) const {
     if (wanted.probe < 0)
       displacement.noalias() += multipliers_[i] * body_.compliance->touch_touch.col(wanted.index);
     else
-      displacement.noalias() +=
-          multipliers_[i] *
-          model_.probes[static_cast<std::size_t>(wanted.probe)].compliance.col(wanted.index);
+      displacement.noalias() += multipliers_[i] * model_.probes[wanted.probe].compliance.col(wanted.index);
   }
 }
 
@@ -143,7 +137,7 @@ void PrescribedSolve::add_forces(Eigen::VectorXd& forces) const {
       forces[wanted.index] += force;
       continue;
     }
-    const Probe& probe = model_.probes[static_cast<std::size_t>(wanted.probe)];
+    const Probe& probe = model_.probes[wanted.probe];
     for (std::size_t k = 0; k < probe.nodes.size(); ++k)
       forces.segment<3>(3 * probe.nodes[k]) += force * probe.weights[k] * probe.axes.col(wanted.index);
   }
@@ -153,8 +147,7 @@ Vec3 PrescribedSolve::probe_force(int probe) const {
   Vec3 force = Vec3::Zero();
   for (std::size_t i = 0; i < rows_.size(); ++i)
     if (rows_[i].probe == probe)
-      force += body_.young_modulus * multipliers_[i] *
-               model_.probes[static_cast<std::size_t>(probe)].axes.col(rows_[i].index);
+      force += body_.young_modulus * multipliers_[i] * model_.probes[probe].axes.col(rows_[i].index);
   return force;
 }
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "sim/cycle/cycle.hpp"
+#include "sim/model/model.hpp"
 #include "sim/probe/footprint.hpp"
-#include "sim/scene/model.hpp"
 
 namespace palpate::sim {
 
@@ -28,10 +28,9 @@ struct Claims {
 };
 
 /// Forces that bring touched nodes to prescribed displacements while the pressing probes hold still: C_DD f_D
-/// = u_D
-/// ([Hirota1998]), by a Cholesky factor whose leading rows are kept from cycle to cycle as long as they ask
-/// for the same unknowns. A kept row has the bits that a fresh one would have, so no force depends on what
-/// went before.
+/// = u_D ([Hirota1998]), by a Cholesky factor whose leading rows are kept from cycle to cycle as long as they
+/// ask for the same unknowns. A kept row has the bits that a fresh one would have, so no force depends on
+/// what went before.
 class PrescribedSolve {
  public:
   /// All storage is taken here. @param model  outlives the solve

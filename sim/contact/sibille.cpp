@@ -10,9 +10,7 @@ Vec3 node_normal(const Body& body, const BodyMotion& motion, int node) {
   Vec3 sum = Vec3::Zero();
   const auto at = static_cast<std::size_t>(node);
   for (int i = body.polygons.incident_begin[at]; i < body.polygons.incident_begin[at + 1]; ++i) {
-    const Triangle& corners =
-        body.polygons
-            .triangles[static_cast<std::size_t>(body.polygons.incident[static_cast<std::size_t>(i)])];
+    const Triangle& corners = body.polygons.triangles[body.polygons.incident[i]];
     const Vec3 a = motion.positions.col(corners[0]);
     sum += (Vec3(motion.positions.col(corners[1])) - a).cross(Vec3(motion.positions.col(corners[2])) - a);
   }
@@ -29,7 +27,7 @@ SolveReport sibille(const Model& model, Scratch::Buffers& buffers) {
       if (pair.touch_pair != p) continue;
       const auto body = static_cast<std::size_t>(pair.node_body);
       const BodyMotion& motion = buffers.free_motion[body];
-      const double side = pair.node_body == model.pairs[static_cast<std::size_t>(p)].bodies[0] ? 1.0 : -1.0;
+      const double side = pair.node_body == model.pairs[p].bodies[0] ? 1.0 : -1.0;
       barycentre += motion.positions.col(pair.node);
       normal += side * node_normal(model.bodies[body], motion, pair.node);  // the bodies face each other
       ++colliding;

@@ -108,12 +108,11 @@ ContactSet final_contact_set(const Model& model, Pose pose, const Loads& loads) 
     const Probe& probe = model.probes[i];
     if (!(pose[i].displacement.dot(probe.direction) > 0.0)) continue;
     set.columns.push_back({&probe.compliance, 0, probe.compliance.cols()});
-    for (const int node : probe.nodes)
-      by_probe[static_cast<std::size_t>(probe.body)][static_cast<std::size_t>(node)] = 1;
+    for (const int node : probe.nodes) by_probe[probe.body][node] = 1;
   }
   for (std::size_t b = 0; b < model.bodies.size(); ++b)
     for (Eigen::Index node = 0; node < model.bodies[b].rest.cols(); ++node)
-      if (!by_probe[b][static_cast<std::size_t>(node)] && !loads.on_body[b].segment<3>(3 * node).isZero(0.0))
+      if (!by_probe[b][node] && !loads.on_body[b].segment<3>(3 * node).isZero(0.0))
         set.columns.push_back({&model.bodies[b].compliance->touch_touch, 3 * node, 3});
   for (const ContactSet::Columns& part : set.columns)
     set.bytes += sizeof(double) * static_cast<std::size_t>(part.matrix->rows() * part.count);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sim/cycle/cycle.hpp"
-#include "sim/scene/model.hpp"
+#include "sim/model/model.hpp"
 
 namespace palpate::sim {
 

@@ -25,7 +25,7 @@ void start(Scratch::Buffers& buffers) {
 void hold_probed_nodes(const Model& model, Scratch::Buffers& buffers) {
   for (std::size_t i = 0; i < model.probes.size(); ++i) {
     if (!buffers.rows[i].pressing) continue;
-    BodyBuffers& body = buffers.bodies[static_cast<std::size_t>(model.probes[i].body)];
+    BodyBuffers& body = buffers.bodies[model.probes[i].body];
     body.temporary_claims.hold(model.probes[i].nodes);
     body.actual_claims.hold(model.probes[i].nodes);
   }
@@ -34,8 +34,7 @@ void hold_probed_nodes(const Model& model, Scratch::Buffers& buffers) {
 SolveReport touch(const Model& model, Scratch::Buffers& buffers) {
   place(model, buffers.free_motion);
   find_pairs(model, buffers.free_motion, buffers.pairs);
-  for (const CollidingPair& pair : buffers.pairs)
-    ++buffers.summaries[static_cast<std::size_t>(pair.touch_pair)].active;
+  for (const CollidingPair& pair : buffers.pairs) ++buffers.summaries[pair.touch_pair].active;
   if (buffers.pairs.empty()) return {};
   hold_probed_nodes(model, buffers);
   const SolveReport law =
@@ -82,7 +81,7 @@ Scratch::Buffers::Buffers(const Model& model)
   pairs.reserve(most_pairs(model));
   shares.reserve(most_pairs(model));
   for (int i = 0; i < static_cast<int>(model.bodies.size()); ++i) {
-    const auto nodes = static_cast<int>(model.bodies[static_cast<std::size_t>(i)].rest.cols());
+    const auto nodes = static_cast<int>(model.bodies[i].rest.cols());
     const Eigen::VectorXd zero = Eigen::VectorXd::Zero(3 * nodes);
     bodies.push_back({PrescribedSolve(model, i), PrescribedSolve(model, i), PrescribedSolve(model, i),
                       Claims(nodes), Claims(nodes), zero});
@@ -99,7 +98,7 @@ const Loads& Scratch::loads() const {
   return buffers_->loads;
 }
 const Eigen::VectorXd& Scratch::displacement(int body) const {
-  return buffers_->displacement[static_cast<std::size_t>(body)];
+  return buffers_->displacement[body];
 }
 
 SolveReport free_deformation(const Model& model, Scratch::Buffers& buffers) {
@@ -107,9 +106,8 @@ SolveReport free_deformation(const Model& model, Scratch::Buffers& buffers) {
     BodyMotion& motion = buffers.free_motion[i];
     PrescribedSolve& solve = buffers.bodies[i].free;
     const bool was_moved = motion.moved;
-    motion.moved = std::ranges::any_of(model.bodies[i].probes, [&](int probe) {
-      return buffers.rows[static_cast<std::size_t>(probe)].pressing;
-    });
+    motion.moved =
+        std::ranges::any_of(model.bodies[i].probes, [&](int probe) { return buffers.rows[probe].pressing; });
     if (!motion.moved) {
       if (was_moved) rest(model.bodies[i], motion);
       continue;
@@ -119,8 +117,7 @@ SolveReport free_deformation(const Model& model, Scratch::Buffers& buffers) {
     solve.solve(&buffers.rows, {});
     solve.add_displacement(motion.displacement);
     solve.add_forces(buffers.loads.on_body[i]);
-    for (const int probe : model.bodies[i].probes)
-      buffers.probe_forces[static_cast<std::size_t>(probe)] = solve.probe_force(probe);
+    for (const int probe : model.bodies[i].probes) buffers.probe_forces[probe] = solve.probe_force(probe);
     buffers.displacement[i] = motion.displacement;
   }
   return {};

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/scene/model.hpp"
+#include "sim/model/model.hpp"
 
 namespace palpate::sim {
 
@@ -72,8 +72,8 @@ class Scratch {
 };
 
 /// One update of the haptic loop: pose in, force out. Allocates nothing, locks nothing, and depends on the
-/// pose alone: the same pose gives the same bits whatever cycles went before. A cycle that fails
-/// gives zero force and says why (a pose that is not finite: Stop::NotFinite); nothing is ever guessed.
+/// pose alone: the same pose gives the same bits whatever cycles went before. A cycle that fails gives zero
+/// force and says why (a pose that is not finite: Stop::NotFinite); nothing is ever guessed.
 CycleResult cycle(const Model& model, const Memory& memory, Pose pose, Scratch& scratch);
 
 /// Displacements of the drawn nodes of a body under loads [m], 3d entries, for frames. Outside the cycle.

@@ -29,9 +29,7 @@ ElementMatrix element_stiffness(const TetrahedronShape& shape, const Material& m
 std::vector<std::vector<int>> neighbours(const TetMesh& mesh) {
   std::vector<std::vector<int>> of(mesh.nodes.size());
   for (const Tetrahedron& corners : mesh.tetrahedra)
-    for (const int a : corners)
-      of[static_cast<std::size_t>(a)].insert(of[static_cast<std::size_t>(a)].end(), corners.begin(),
-                                             corners.end());
+    for (const int a : corners) of[a].insert(of[a].end(), corners.begin(), corners.end());
   for (std::vector<int>& list : of) {
     std::sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());
@@ -46,10 +44,10 @@ Eigen::SparseMatrix<double> zero_blocks(const std::vector<std::vector<int>>& nei
   Eigen::SparseMatrix<double> K(unknowns, unknowns);
   Eigen::VectorXi entries(unknowns);
   for (Eigen::Index column = 0; column < unknowns; ++column)
-    entries[column] = static_cast<int>(3 * neighbours[static_cast<std::size_t>(column / 3)].size());
+    entries[column] = static_cast<int>(3 * neighbours[column / 3].size());
   K.reserve(entries);
   for (Eigen::Index column = 0; column < unknowns; ++column)
-    for (const int node : neighbours[static_cast<std::size_t>(column / 3)])
+    for (const int node : neighbours[column / 3])
       for (int axis = 0; axis < 3; ++axis) K.insert(3 * node + axis, column) = 0.0;
   K.makeCompressed();
   return K;
@@ -64,11 +62,10 @@ Eigen::SparseMatrix<double> stiffness(const TetMesh& mesh, std::span<const Mater
   for (std::size_t e = 0; e < mesh.tetrahedra.size(); ++e) {
     const ElementMatrix K_e = element_stiffness(shape_of(mesh, e), material_of(mesh, materials, e));
     for (int b = 0; b < 4; ++b) {
-      const int node_b = mesh.tetrahedra[e][static_cast<std::size_t>(b)];
-      const std::vector<int>& rows = around[static_cast<std::size_t>(node_b)];
+      const int node_b = mesh.tetrahedra[e][b];
+      const std::vector<int>& rows = around[node_b];
       for (int a = 0; a < 4; ++a) {
-        const auto place =
-            std::lower_bound(rows.begin(), rows.end(), mesh.tetrahedra[e][static_cast<std::size_t>(a)]);
+        const auto place = std::lower_bound(rows.begin(), rows.end(), mesh.tetrahedra[e][a]);
         const auto block = 3 * (place - rows.begin());
         for (int column = 0; column < 3; ++column) {
           double* values = K.valuePtr() + K.outerIndexPtr()[3 * node_b + column] + block;

@@ -16,8 +16,7 @@ Eigen::VectorXd von_mises(const TetMesh& mesh, std::span<const Material> materia
   for (std::size_t e = 0; e < mesh.tetrahedra.size(); ++e) {
     const TetrahedronShape shape = shape_of(mesh, e);
     Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();  // du_i / dx_j
-    for (int a = 0; a < 4; ++a)
-      gradient += u.col(mesh.tetrahedra[e][static_cast<std::size_t>(a)]) * shape.gradient.col(a).transpose();
+    for (int a = 0; a < 4; ++a) gradient += u.col(mesh.tetrahedra[e][a]) * shape.gradient.col(a).transpose();
     const Eigen::Matrix3d strain = (gradient + gradient.transpose()) / 2;
     const Eigen::Matrix3d deviator = strain - strain.trace() / 3 * Eigen::Matrix3d::Identity();
     // sqrt(3/2 s : s) with the deviatoric stress s = 2 mu dev(strain)

@@ -32,8 +32,7 @@ struct Common {
   void require_success() const {
     if (settings.status == CHOLMOD_OUT_OF_MEMORY || settings.status == CHOLMOD_TOO_LARGE)
       throw std::runtime_error(
-          "this machine's memory is too small to factorise the body's stiffness: "
-          "use a coarser mesh");
+          "this machine's memory is too small to factorise the body's stiffness: use a coarser mesh");
     if (settings.status < CHOLMOD_OK)
       throw std::runtime_error(fmt::format("CHOLMOD failed with status {}", settings.status));
   }
@@ -76,7 +75,7 @@ std::vector<int> fill_reducing_order(const NodeGraph& graph, const std::vector<c
     pattern.insertBackByOuterInner(static_cast<Index>(column), static_cast<Index>(column)) = 1.0;
     const auto node = static_cast<std::size_t>(nodes[column]);
     for (int k = graph.begin[node]; k < graph.begin[node + 1]; ++k) {
-      const Index row = number[static_cast<std::size_t>(graph.neighbour[static_cast<std::size_t>(k)])];
+      const Index row = number[graph.neighbour[k]];
       if (row > static_cast<Index>(column))
         pattern.insertBackByOuterInner(static_cast<Index>(column), row) = 1.0;
     }
@@ -95,7 +94,7 @@ std::vector<int> fill_reducing_order(const NodeGraph& graph, const std::vector<c
   common.require_success();
   const auto* permutation = static_cast<const Index*>(symbolic->Perm);
   std::vector<int> order(nodes.size());
-  for (std::size_t k = 0; k < order.size(); ++k) order[k] = nodes[static_cast<std::size_t>(permutation[k])];
+  for (std::size_t k = 0; k < order.size(); ++k) order[k] = nodes[permutation[k]];
   cholmod_l_free_factor(&symbolic, &common.settings);
   return order;
 }
@@ -108,10 +107,10 @@ Matrix reordered_lower(const Eigen::SparseMatrix<double>& K, const std::vector<i
   lower.reserve(static_cast<Index>(K.nonZeros() / 2 + K.cols()));
   std::vector<std::pair<Index, double>> entries;
   for (Index column = 0; column < unknowns; ++column) {
-    const int source = 3 * order[static_cast<std::size_t>(column / 3)] + static_cast<int>(column % 3);
+    const int source = 3 * order[column / 3] + static_cast<int>(column % 3);
     entries.clear();
     for (Eigen::SparseMatrix<double>::InnerIterator entry(K, source); entry; ++entry) {
-      const Index place = place_of[static_cast<std::size_t>(entry.row() / 3)];
+      const Index place = place_of[entry.row() / 3];
       const Index row = 3 * place + static_cast<Index>(entry.row() % 3);
       if (place >= 0 && row >= column) entries.emplace_back(row, entry.value());
     }
@@ -197,13 +196,13 @@ SupportedStiffness::SupportedStiffness(const Eigen::SparseMatrix<double>& K, std
   const NodeGraph graph = node_graph(K);
   require_supports(graph, fixed);
   std::vector<char> inner(static_cast<std::size_t>(graph.nodes()), 1);
-  for (const int node : fixed) inner[static_cast<std::size_t>(node)] = 0;
-  for (const int node : last) inner[static_cast<std::size_t>(node)] = 0;
+  for (const int node : fixed) inner[node] = 0;
+  for (const int node : last) inner[node] = 0;
   factor_->order = fill_reducing_order(graph, inner);
   factor_->order.insert(factor_->order.end(), last.begin(), last.end());
   factor_->place_of.assign(inner.size(), -1);
   for (std::size_t place = 0; place < factor_->order.size(); ++place)
-    factor_->place_of[static_cast<std::size_t>(factor_->order[place])] = static_cast<int>(place);
+    factor_->place_of[factor_->order[place]] = static_cast<int>(place);
   factor_->trailing = static_cast<Eigen::Index>(3 * last.size());
   factor_->A = reordered_lower(K, factor_->order, factor_->place_of);
   if (factor_->order.empty()) return;

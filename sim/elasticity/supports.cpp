@@ -25,7 +25,7 @@ struct SupportedBody {
   std::vector<Piece> pieces;
   std::span<const std::int64_t> tags;
 
-  std::int64_t name(int node) const { return tags.empty() ? node : tags[static_cast<std::size_t>(node)]; }
+  std::int64_t name(int node) const { return tags.empty() ? node : tags[node]; }
 };
 
 std::vector<Piece> pieces_of(const NodeGraph& graph, std::span<const int> fixed) {
@@ -33,12 +33,11 @@ std::vector<Piece> pieces_of(const NodeGraph& graph, std::span<const int> fixed)
   const std::vector<int> piece_of_node = connected_pieces(graph);
   std::vector<Piece> pieces;
   for (int node = 0; node < graph.nodes(); ++node) {
-    const auto piece = static_cast<std::size_t>(piece_of_node[static_cast<std::size_t>(node)]);
+    const auto piece = static_cast<std::size_t>(piece_of_node[node]);
     if (piece == pieces.size()) pieces.push_back({.first_node = node, .nodes = 0, .fixed = {}});
     ++pieces[piece].nodes;
   }
-  for (const int node : fixed)
-    pieces[static_cast<std::size_t>(piece_of_node[static_cast<std::size_t>(node)])].fixed.push_back(node);
+  for (const int node : fixed) pieces[piece_of_node[node]].fixed.push_back(node);
   return pieces;
 }
 
@@ -71,7 +70,7 @@ void require_enough_nodes(const SupportedBody& body) {
 
 /// Whether the nodes lie on one line to within the rounding of their coordinates. The nodes are distinct.
 bool on_one_line(const std::vector<Vec3>& at, const std::vector<int>& nodes) {
-  const auto place = [&](int node) -> const Vec3& { return at[static_cast<std::size_t>(node)]; };
+  const auto place = [&](int node) -> const Vec3& { return at[node]; };
   const Vec3& start = place(nodes[0]);
   const int far = *std::max_element(nodes.begin(), nodes.end(), [&](int a, int b) {
     return (place(a) - start).squaredNorm() < (place(b) - start).squaredNorm();
@@ -93,7 +92,7 @@ NodeGraph make_graph(int nodes, std::vector<std::pair<int, int>>& edges) {
   graph.begin.assign(static_cast<std::size_t>(nodes) + 1, 0);
   graph.neighbour.reserve(edges.size());
   for (const auto& [from, to] : edges) {
-    ++graph.begin[static_cast<std::size_t>(from) + 1];
+    ++graph.begin[from + 1];
     graph.neighbour.push_back(to);
   }
   for (std::size_t i = 1; i < graph.begin.size(); ++i) graph.begin[i] += graph.begin[i - 1];
@@ -117,16 +116,16 @@ std::vector<int> connected_pieces(const NodeGraph& graph) {
   std::vector<int> piece(static_cast<std::size_t>(graph.nodes()), -1), reached;
   int pieces = 0;
   for (int start = 0; start < graph.nodes(); ++start) {
-    if (piece[static_cast<std::size_t>(start)] >= 0) continue;
-    piece[static_cast<std::size_t>(start)] = pieces;
+    if (piece[start] >= 0) continue;
+    piece[start] = pieces;
     reached.assign(1, start);
     while (!reached.empty()) {
       const auto node = static_cast<std::size_t>(reached.back());
       reached.pop_back();
       for (int k = graph.begin[node]; k < graph.begin[node + 1]; ++k) {
-        const int next = graph.neighbour[static_cast<std::size_t>(k)];
-        if (piece[static_cast<std::size_t>(next)] >= 0) continue;
-        piece[static_cast<std::size_t>(next)] = pieces;
+        const int next = graph.neighbour[k];
+        if (piece[next] >= 0) continue;
+        piece[next] = pieces;
         reached.push_back(next);
       }
     }

@@ -11,9 +11,7 @@ namespace palpate::sim {
 
 TetrahedronShape shape_of(const TetMesh& mesh, std::size_t tetrahedron) {
   const Tetrahedron& corner = mesh.tetrahedra[tetrahedron];
-  const auto at = [&](std::size_t k) -> const Vec3& {
-    return mesh.nodes[static_cast<std::size_t>(corner[k])];
-  };
+  const auto at = [&](std::size_t k) -> const Vec3& { return mesh.nodes[corner[k]]; };
   Eigen::Matrix3d edges;
   edges << at(1) - at(0), at(2) - at(0), at(3) - at(0);
   TetrahedronShape shape;
@@ -37,7 +35,7 @@ const Material& material_of(const TetMesh& mesh, std::span<const Material> mater
                             std::size_t tetrahedron) {
   assert(mesh.region.size() == mesh.tetrahedra.size());
   const int of_region = 1 + mesh.region[tetrahedron];
-  return materials[static_cast<std::size_t>(of_region)];
+  return materials[of_region];
 }
 
 void validate(const TetMesh& mesh, std::span<const Material> materials) {

@@ -100,10 +100,10 @@ std::vector<int> ranks_by_size(const std::vector<Listing>& listings, std::size_t
   std::vector<std::pair<int, int>> sizes(regions);
   for (std::size_t r = 0; r < regions; ++r) sizes[r].second = static_cast<int>(r);
   for (const Listing& listing : listings)
-    for (const int region : listing.groups->regions) ++sizes[static_cast<std::size_t>(region)].first;
+    for (const int region : listing.groups->regions) ++sizes[region].first;
   std::sort(sizes.begin(), sizes.end());
   std::vector<int> ranks(regions);
-  for (int rank = 0; const auto& [size, region] : sizes) ranks[static_cast<std::size_t>(region)] = rank++;
+  for (int rank = 0; const auto& [size, region] : sizes) ranks[region] = rank++;
   return ranks;
 }
 
@@ -123,8 +123,8 @@ std::vector<std::size_t> find_first_listings(const Cursor& in, const std::vector
       const MshElement& element = *listings[order[end]].element;
       if (end > begin && listings[order[end - 1]].element->entity == element.entity)
         in.refuse(element.offset,
-                  fmt::format("the tetrahedron of nodes {} is given twice; each is accepted once, "
-                              "or once for each of its groups",
+                  fmt::format("the tetrahedron of nodes {} is given twice; each is accepted once, or once "
+                              "for each of its groups",
                               fmt::join(element.node_tags, ", ")));
       earliest = std::min(earliest, order[end]);
     }
@@ -135,9 +135,7 @@ std::vector<std::size_t> find_first_listings(const Cursor& in, const std::vector
 
 void add_tetrahedra(const Cursor& in, const std::vector<Listing>& listings, TetMesh& mesh) {
   const std::vector<int> ranks = ranks_by_size(listings, mesh.region_names.size());
-  const auto rank = [&](int region) {
-    return region < 0 ? std::numeric_limits<int>::max() : ranks[static_cast<std::size_t>(region)];
-  };
+  const auto rank = [&](int region) { return region < 0 ? std::numeric_limits<int>::max() : ranks[region]; };
   const std::vector<std::size_t> first = find_first_listings(in, listings);
   std::vector<std::size_t> place(listings.size());
   for (std::size_t i = 0; i < listings.size(); ++i) {

@@ -19,7 +19,7 @@ constexpr double kCellWidth = 16;       // in tolerances: wide, so that few poin
 std::vector<bool> find_referenced(const TetMesh& mesh) {
   std::vector<bool> referenced(mesh.nodes.size(), false);
   for (const Tetrahedron& tetrahedron : mesh.tetrahedra)
-    for (const int node : tetrahedron) referenced[static_cast<std::size_t>(node)] = true;
+    for (const int node : tetrahedron) referenced[node] = true;
   return referenced;
 }
 
@@ -29,8 +29,7 @@ void scale(TetMesh& mesh, const std::string& name, double metres_per_unit) {
     const double farthest = mesh.nodes[i].cwiseAbs().maxCoeff();
     if (!(farthest <= kFarthest))
       throw std::invalid_argument(
-          fmt::format("{}: node {} lies {} m from the origin; up to {} m is accepted (was the "
-                      "unit right?)",
+          fmt::format("{}: node {} lies {} m from the origin; up to {} m is accepted (was the unit right?)",
                       name, mesh.node_tags[i], farthest, kFarthest));
   }
 }
@@ -76,7 +75,7 @@ struct Grid {
           const auto cell = nodes.find(Cell{x, y, z});
           if (cell == nodes.end()) continue;
           for (const int node : cell->second)
-            if ((positions[static_cast<std::size_t>(node)] - point).norm() <= tolerance) return node;
+            if ((positions[node] - point).norm() <= tolerance) return node;
         }
     return -1;
   }
@@ -102,9 +101,7 @@ void refuse_collapsed(const TetMesh& mesh, const std::vector<int>& twin, const s
       for (std::size_t j = 0; j < i; ++j) {
         const auto a = static_cast<std::size_t>(tetrahedron[i]), b = static_cast<std::size_t>(tetrahedron[j]);
         if (twin[a] != twin[b]) continue;
-        const auto tag = [&](std::size_t k) {
-          return mesh.node_tags[static_cast<std::size_t>(tetrahedron[k])];
-        };
+        const auto tag = [&](std::size_t k) { return mesh.node_tags[tetrahedron[k]]; };
         throw std::invalid_argument(fmt::format(
             "{}: the tetrahedron of nodes {}, {}, {}, {} has no volume: its nodes {} and {} are one or lie "
             "within the weld tolerance of {:.3g} m; four separate nodes are accepted",
@@ -122,9 +119,7 @@ void renumber(TetMesh& mesh, const std::vector<int>& twin, const std::vector<boo
     kept.nodes.push_back(mesh.nodes[i]);
     kept.node_tags.push_back(mesh.node_tags[i]);
   }
-  const auto moved = [&](int node) {
-    return place[static_cast<std::size_t>(twin[static_cast<std::size_t>(node)])];
-  };
+  const auto moved = [&](int node) { return place[twin[node]]; };
   for (Tetrahedron& tetrahedron : mesh.tetrahedra)
     for (int& node : tetrahedron) node = moved(node);
   for (auto& [name, nodes] : mesh.node_groups) {
@@ -164,11 +159,11 @@ MeshFile mend(TetMesh mesh, const std::string& name, double metres_per_unit) {
   refuse_collapsed(mesh, twin, name, repairs.weld_tolerance);
   std::vector<bool> keep(mesh.nodes.size(), false);
   for (std::size_t i = 0; i < twin.size(); ++i)
-    if (in_file[i]) keep[static_cast<std::size_t>(twin[i])] = true;
+    if (in_file[i]) keep[twin[i]] = true;
   for (std::size_t i = 0; i < twin.size(); ++i) {
     const bool is_twin = twin[i] != static_cast<int>(i);
-    repairs.welded_nodes += is_twin && keep[static_cast<std::size_t>(twin[i])];
-    repairs.unreferenced_nodes += !keep[static_cast<std::size_t>(twin[i])];
+    repairs.welded_nodes += is_twin && keep[twin[i]];
+    repairs.unreferenced_nodes += !keep[twin[i]];
   }
   renumber(mesh, twin, keep);
   repairs.reordered_tetrahedra = reorder_negative(mesh);

@@ -14,7 +14,7 @@ std::string name_edge(const TetMesh& mesh, int a, int b) {
 }
 
 std::string name_tetrahedron(const TetMesh& mesh, int tetrahedron) {
-  const Tetrahedron& nodes = mesh.tetrahedra[static_cast<std::size_t>(tetrahedron)];
+  const Tetrahedron& nodes = mesh.tetrahedra[tetrahedron];
   return fmt::format("tetrahedron {} (nodes {}, {}, {}, {})", tetrahedron, node_tag(mesh, nodes[0]),
                      node_tag(mesh, nodes[1]), node_tag(mesh, nodes[2]), node_tag(mesh, nodes[3]));
 }

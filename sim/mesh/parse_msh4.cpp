@@ -55,7 +55,7 @@ void read_msh4_entities(Cursor& in, MshContent& content) {
   std::array<std::int64_t, 4> counts{};
   for (std::int64_t& count : counts) count = in.size("a number of entities");
   for (int dimension = 0; dimension < 4; ++dimension) {
-    const std::int64_t count = counts[static_cast<std::size_t>(dimension)];
+    const std::int64_t count = counts[dimension];
     in.claim(count, dimension == 0 ? 5 : 9, dimension == 0 ? 36 : 68, "entities");
     for (std::int64_t i = 0; i < count; ++i) read_entity(in, dimension, content);
   }

@@ -151,7 +151,7 @@ std::vector<std::size_t> read_cells(const VtuFile& file, const pugi::xml_node& p
              fmt::format("tetrahedron {} has {} nodes; 4 are accepted", c, ends[c] - begin));
     Tetrahedron tetrahedron{};
     for (std::size_t i = 0; i < 4; ++i) {
-      const std::int64_t node = nodes[static_cast<std::size_t>(begin) + i];
+      const std::int64_t node = nodes[begin + i];
       if (node < 0 || node >= static_cast<std::int64_t>(mesh.nodes.size()))
         refuse(file, nodes_array,
                fmt::format("cell {} names node {}; 0 to {} are accepted", c, node,

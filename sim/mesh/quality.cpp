@@ -48,12 +48,10 @@ double radius_ratio(const std::array<Vec3, 4>& corner, double area) {
 
 Shape measure(const TetMesh& mesh, const Tetrahedron& tetrahedron) {
   std::array<Vec3, 4> corner, normal;
-  for (std::size_t i = 0; i < 4; ++i) corner[i] = mesh.nodes[static_cast<std::size_t>(tetrahedron[i])];
+  for (std::size_t i = 0; i < 4; ++i) corner[i] = mesh.nodes[tetrahedron[i]];
   double area = 0.0;
   for (std::size_t f = 0; f < 4; ++f) {
-    const auto at = [&](std::size_t i) -> const Vec3& {
-      return corner[static_cast<std::size_t>(kOutwardFaces[f][i])];
-    };
+    const auto at = [&](std::size_t i) -> const Vec3& { return corner[kOutwardFaces[f][i]]; };
     normal[f] = (at(1) - at(0)).cross(at(2) - at(0));
     area += normal[f].norm() / 2.0;
   }
@@ -80,9 +78,9 @@ Pieces find_pieces(const TetMesh& mesh) {
   std::vector<int> parent(mesh.nodes.size());
   std::iota(parent.begin(), parent.end(), 0);
   const auto root = [&](int node) {
-    while (parent[static_cast<std::size_t>(node)] != node) {
-      int& up = parent[static_cast<std::size_t>(node)];
-      up = parent[static_cast<std::size_t>(up)];
+    while (parent[node] != node) {
+      int& up = parent[node];
+      up = parent[up];
       node = up;
     }
     return node;
@@ -90,9 +88,9 @@ Pieces find_pieces(const TetMesh& mesh) {
   std::vector<bool> used(mesh.nodes.size(), false);
   for (const Tetrahedron& tetrahedron : mesh.tetrahedra)
     for (const int node : tetrahedron) {
-      used[static_cast<std::size_t>(node)] = true;
+      used[node] = true;
       const int a = root(tetrahedron[0]), b = root(node);
-      parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+      parent[std::max(a, b)] = std::min(a, b);
     }
   std::map<int, int> sizes;
   for (std::size_t i = 0; i < used.size(); ++i)
@@ -139,7 +137,7 @@ MeshQuality measure_quality(const TetMesh& mesh) {
   int slivers = 0, worst = 0;
   for (int t = 0; const Tetrahedron& tetrahedron : mesh.tetrahedra) {
     const Shape shape = measure(mesh, tetrahedron);
-    for (const int node : tetrahedron) box.extend(mesh.nodes[static_cast<std::size_t>(node)]);
+    for (const int node : tetrahedron) box.extend(mesh.nodes[node]);
     quality.volume += signed_volume(mesh, tetrahedron);
     if (shape.min_dihedral < quality.min_dihedral) worst = t;
     slivers += shape.min_dihedral < kSliverAngle;

@@ -2,13 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <cmath>
-#include <cstdio>
-#include <memory>
 #include <stdexcept>
-#include <system_error>
 
+#include "base/files/read_file.hpp"
 #include "sim/mesh/cursor.hpp"
 #include "sim/mesh/parse_mesh.hpp"
 
@@ -16,22 +13,6 @@ namespace palpate::sim {
 namespace {
 
 constexpr const char* kAccepted = "Gmsh MSH 2.2 or 4.1 (text or binary) and VTU are accepted";
-
-std::string read_whole(const std::filesystem::path& file) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error))
-    throw std::invalid_argument(
-        fmt::format("{}: {}; a mesh file is accepted", file.string(),
-                    std::filesystem::exists(file) ? "is not a file" : "there is no such file"));
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"), &std::fclose);
-  if (!stream) throw std::invalid_argument(fmt::format("{}: cannot be opened for reading", file.string()));
-  std::string bytes(std::filesystem::file_size(file), '\0');
-  const std::size_t got = std::fread(bytes.data(), 1, bytes.size(), stream.get());
-  if (std::ferror(stream.get()) != 0)
-    throw std::system_error(errno, std::generic_category(), fmt::format("{}: cannot read", file.string()));
-  bytes.resize(got);
-  return bytes;
-}
 
 bool looks_like_xml(std::string_view bytes) {
   const std::size_t start = bytes.find_first_not_of(" \t\r\n");
@@ -54,7 +35,7 @@ MeshFile parse_mesh(std::string_view bytes, const std::string& name, double metr
 }
 
 MeshFile read_mesh(const std::filesystem::path& file, double metres_per_unit) {
-  return parse_mesh(read_whole(file), file.string(), metres_per_unit);
+  return parse_mesh(base::read_file(file, "a mesh file"), file.string(), metres_per_unit);
 }
 
 }  // namespace palpate::sim

@@ -12,7 +12,7 @@ std::vector<Face> sorted_faces(const TetMesh& mesh) {
   for (int t = 0; const Tetrahedron& tetrahedron : mesh.tetrahedra) {
     for (const Triangle& local : kOutwardFaces) {
       Face face{.tetrahedron = t};
-      for (std::size_t i = 0; i < 3; ++i) face.corners[i] = tetrahedron[static_cast<std::size_t>(local[i])];
+      for (std::size_t i = 0; i < 3; ++i) face.corners[i] = tetrahedron[local[i]];
       face.key = face.corners;
       std::sort(face.key.begin(), face.key.end());
       faces.push_back(face);
@@ -27,7 +27,7 @@ std::vector<Face> sorted_faces(const TetMesh& mesh) {
 
 bool same_sense(const Face& a, const Face& b) {
   const auto start = std::find(b.corners.begin(), b.corners.end(), a.corners[0]) - b.corners.begin();
-  return b.corners[static_cast<std::size_t>(start + 1) % 3] == a.corners[1];
+  return b.corners[(start + 1) % 3] == a.corners[1];
 }
 
 Surface extract_surface(const TetMesh& mesh) {

@@ -37,10 +37,9 @@ struct Complaint {
 bool is_flat(const TetMesh& mesh, const Tetrahedron& tetrahedron) {
   double longest = 0.0, farthest = 0.0;
   for (std::size_t i = 0; i < 4; ++i) {
-    const Vec3& x = mesh.nodes[static_cast<std::size_t>(tetrahedron[i])];
+    const Vec3& x = mesh.nodes[tetrahedron[i]];
     farthest = std::max(farthest, x.cwiseAbs().maxCoeff());
-    for (std::size_t j = 0; j < i; ++j)
-      longest = std::max(longest, (x - mesh.nodes[static_cast<std::size_t>(tetrahedron[j])]).norm());
+    for (std::size_t j = 0; j < i; ++j) longest = std::max(longest, (x - mesh.nodes[tetrahedron[j]]).norm());
   }
   const double rounding = 2 * std::numeric_limits<double>::epsilon() * farthest;
   return signed_volume(mesh, tetrahedron) <= longest * longest * std::max(kFlatVolume * longest, rounding);

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "sim/io/atomic_file.hpp"
+#include "base/files/atomic_file.hpp"
 #include "sim/mesh/cursor.hpp"
 
 // Format: [Geuzaine2009] and Gmsh's manual, "MSH file format" version 4.1. Every body is a discrete volume; a
@@ -87,7 +87,7 @@ void write_entities(Out out, const TetMesh& mesh, const PointGroups& groups,
   }
   fmt::format_to(out, "$Entities\n{} 0 0 {}\n", groups.of_node.size(), mesh.region_names.size() + 1);
   for (int entity = 1; const auto& [node, physicals] : groups.of_node) {
-    const Vec3& x = mesh.nodes[static_cast<std::size_t>(node)];
+    const Vec3& x = mesh.nodes[node];
     fmt::format_to(out, "{} {} {} {} {} {}\n", entity++, x.x(), x.y(), x.z(), physicals.size(),
                    fmt::join(physicals, " "));
   }
@@ -120,15 +120,13 @@ void write_elements(Out out, const TetMesh& mesh, const PointGroups& groups,
   fmt::format_to(out, "$Elements\n{} {} 1 {}\n", groups.of_node.size() + starts.size() - 1, count, count);
   std::size_t element = 1;
   for (int entity = 1; const auto& [node, physicals] : groups.of_node)
-    fmt::format_to(out, "0 {} {} 1\n{} {}\n", entity++, kPoint, element++,
-                   tags[static_cast<std::size_t>(node)]);
+    fmt::format_to(out, "0 {} {} 1\n{} {}\n", entity++, kPoint, element++, tags[node]);
   for (std::size_t run = 0; run + 1 < starts.size(); ++run) {
     fmt::format_to(out, "3 {} {} {}\n", volume_of(mesh, starts[run]), kTetrahedron,
                    starts[run + 1] - starts[run]);
     for (std::size_t t = starts[run]; t < starts[run + 1]; ++t) {
       fmt::format_to(out, "{}", element++);
-      for (const int node : mesh.tetrahedra[t])
-        fmt::format_to(out, " {}", tags[static_cast<std::size_t>(node)]);
+      for (const int node : mesh.tetrahedra[t]) fmt::format_to(out, " {}", tags[node]);
       fmt::format_to(out, "\n");
     }
   }
@@ -148,7 +146,7 @@ void write_msh(const std::filesystem::path& file, const TetMesh& mesh) {
   if (!groups.names.empty() || !mesh.region_names.empty()) write_names(out, mesh, groups);
   write_entities(out, mesh, groups, tags);
   write_elements(out, mesh, groups, tags);
-  write_atomically(file, {text.data(), text.size()});
+  base::write_atomically(file, {text.data(), text.size()});
 }
 
 }  // namespace palpate::sim

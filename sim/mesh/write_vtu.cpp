@@ -7,7 +7,7 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "sim/io/atomic_file.hpp"
+#include "base/files/atomic_file.hpp"
 #include "sim/mesh/cursor.hpp"
 
 // Format: [VtkFileFormats], section "XML file formats", UnstructuredGrid. Numbers are the shortest that read
@@ -122,7 +122,7 @@ void write_vtu(const std::filesystem::path& file, const TetMesh& mesh, const Vtu
   fmt::format_to(out, "</Points>\n");
   write_cells(out, mesh);
   fmt::format_to(out, "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
-  write_atomically(file, {text.data(), text.size()});
+  base::write_atomically(file, {text.data(), text.size()});
 }
 
 }  // namespace palpate::sim

@@ -17,8 +17,7 @@ Vec3 corner_normal(const TouchSurface& surface, const Eigen::Matrix3Xd& position
   Vec3 sum = Vec3::Zero();
   const auto at = static_cast<std::size_t>(node);
   for (int i = surface.incident_begin[at]; i < surface.incident_begin[at + 1]; ++i) {
-    const Triangle& corners =
-        surface.triangles[static_cast<std::size_t>(surface.incident[static_cast<std::size_t>(i)])];
+    const Triangle& corners = surface.triangles[surface.incident[i]];
     const auto k = static_cast<std::size_t>(std::ranges::find(corners, node) - corners.begin());
     const Vec3 here = positions.col(node);
     const Vec3 next = Vec3(positions.col(corners[(k + 1) % 3])) - here;
@@ -35,15 +34,15 @@ Vec3 outward_at(const TouchSurface& surface, const Eigen::Matrix3Xd& positions, 
   const auto polygon = static_cast<std::size_t>(found.polygon);
   const Triangle& corners = surface.triangles[polygon];
   if (found.nearest.corner >= 0) {
-    const int node = corners[static_cast<std::size_t>(found.nearest.corner)];
-    if (surface.rim[static_cast<std::size_t>(node)]) return Vec3::Zero();
+    const int node = corners[found.nearest.corner];
+    if (surface.rim[node]) return Vec3::Zero();
     return corner_normal(surface, positions, node);
   }
   Vec3 normal = area_vector(corners, positions).normalized();
   if (found.nearest.edge < 0) return normal;
-  const int beyond = surface.across[polygon][static_cast<std::size_t>(found.nearest.edge)];
+  const int beyond = surface.across[polygon][found.nearest.edge];
   if (beyond < 0) return Vec3::Zero();
-  return normal + area_vector(surface.triangles[static_cast<std::size_t>(beyond)], positions).normalized();
+  return normal + area_vector(surface.triangles[beyond], positions).normalized();
 }
 
 struct Side {
@@ -65,7 +64,7 @@ void find_colliding_nodes(const Side& nodes, const Side& polygons, int touch_pai
     if (found.polygon < 0) continue;
     const Vec3 outward = outward_at(surface, polygons.motion.positions, found);
     if (!((position - found.nearest.point).dot(outward) < 0.0)) continue;
-    const Triangle& corners = surface.triangles[static_cast<std::size_t>(found.polygon)];
+    const Triangle& corners = surface.triangles[found.polygon];
     const Vec3 normal = area_vector(corners, polygons.motion.positions).normalized();
     const double depth = (Vec3(polygons.motion.positions.col(corners[0])) - position).dot(normal);
     if (!(depth > 0.0)) continue;
@@ -98,8 +97,7 @@ void place(const Model& model, FreeMotion& motion) {
 std::size_t most_pairs(const Model& model) {
   std::size_t most = 0;
   for (const TouchPair& pair : model.pairs)
-    for (const int body : pair.bodies)
-      most += model.bodies[static_cast<std::size_t>(body)].colliding_nodes.size();
+    for (const int body : pair.bodies) most += model.bodies[body].colliding_nodes.size();
   return most;
 }
 
@@ -115,8 +113,7 @@ void find_pairs(const Model& model, const FreeMotion& motion, Pairs& pairs) {
 }
 
 Vec3 polygon_normal(const Body& body, const BodyMotion& motion, int polygon) {
-  return area_vector(body.polygons.triangles[static_cast<std::size_t>(polygon)], motion.positions)
-      .normalized();
+  return area_vector(body.polygons.triangles[polygon], motion.positions).normalized();
 }
 
 std::vector<double> deepest_overlaps(const Model& model, const FreeMotion& motion) {
@@ -124,7 +121,7 @@ std::vector<double> deepest_overlaps(const Model& model, const FreeMotion& motio
   find_pairs(model, motion, pairs);
   std::vector<double> deepest(model.pairs.size(), 0.0);
   for (const CollidingPair& pair : pairs) {
-    double& depth = deepest[static_cast<std::size_t>(pair.touch_pair)];
+    double& depth = deepest[pair.touch_pair];
     depth = std::max(depth, pair.depth);
   }
   return deepest;

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "sim/scene/model.hpp"
+#include "sim/model/model.hpp"
 
 namespace palpate::sim {
 

@@ -29,11 +29,11 @@ int node_of_tag(const ProbeSpec& spec, const TetMesh& mesh, std::int64_t tag) {
 
 int nearest_surface_node(const ProbeSpec& spec, const TetMesh& mesh, const Surface& surface,
                          const Vec3& place) {
-  Vec3 lower = mesh.nodes[static_cast<std::size_t>(surface.nodes.front())], upper = lower;
+  Vec3 lower = mesh.nodes[surface.nodes.front()], upper = lower;
   int nearest = -1;
   double least = std::numeric_limits<double>::infinity();
   for (const int node : surface.nodes) {
-    const Vec3& here = mesh.nodes[static_cast<std::size_t>(node)];
+    const Vec3& here = mesh.nodes[node];
     lower = lower.cwiseMin(here);
     upper = upper.cwiseMax(here);
     const double squared = (here - place).squaredNorm();
@@ -53,10 +53,8 @@ int nearest_surface_node(const ProbeSpec& spec, const TetMesh& mesh, const Surfa
 /// Nodes within the radius that are reached from the middle along edges of the surface between nodes within
 /// it.
 std::set<int> connected_footprint(const TetMesh& mesh, const Surface& surface, int middle, double radius) {
-  const Vec3 centre = mesh.nodes[static_cast<std::size_t>(middle)];
-  const auto within = [&](int node) {
-    return (mesh.nodes[static_cast<std::size_t>(node)] - centre).norm() < radius;
-  };
+  const Vec3 centre = mesh.nodes[middle];
+  const auto within = [&](int node) { return (mesh.nodes[node] - centre).norm() < radius; };
   std::set<int> footprint{middle};
   for (std::size_t before = 0; before != footprint.size();) {
     before = footprint.size();
@@ -71,9 +69,7 @@ std::set<int> connected_footprint(const TetMesh& mesh, const Surface& surface, i
 std::map<int, double> surface_area_of_nodes(const TetMesh& mesh, const Surface& surface) {
   std::map<int, double> area;
   for (const Triangle& corners : surface.triangles) {
-    const Vec3 a = mesh.nodes[static_cast<std::size_t>(corners[0])],
-               b = mesh.nodes[static_cast<std::size_t>(corners[1])],
-               c = mesh.nodes[static_cast<std::size_t>(corners[2])];
+    const Vec3 a = mesh.nodes[corners[0]], b = mesh.nodes[corners[1]], c = mesh.nodes[corners[2]];
     for (const int node : corners) area[node] += (b - a).cross(c - a).norm() / 6.0;
   }
   return area;
@@ -82,10 +78,10 @@ std::map<int, double> surface_area_of_nodes(const TetMesh& mesh, const Surface& 
 void spread_pad(const ProbeSpec& spec, const TetMesh& mesh, const Surface& surface, int middle,
                 Probe& probe) {
   const auto area = surface_area_of_nodes(mesh, surface);
-  const Vec3 centre = mesh.nodes[static_cast<std::size_t>(middle)];
+  const Vec3 centre = mesh.nodes[middle];
   double sum = 0.0;
   for (const int node : connected_footprint(mesh, surface, middle, spec.radius)) {
-    const double distance = (mesh.nodes[static_cast<std::size_t>(node)] - centre).norm() / spec.radius;
+    const double distance = (mesh.nodes[node] - centre).norm() / spec.radius;
     probe.nodes.push_back(node);
     probe.weights.push_back(area.at(node) * (1.0 - distance * distance));
     sum += probe.weights.back();

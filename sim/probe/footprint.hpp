@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "sim/cycle/cycle.hpp"
+#include "sim/model/model.hpp"
 #include "sim/pairing/find_pairs.hpp"
-#include "sim/scene/model.hpp"
 
 namespace palpate::sim {
 

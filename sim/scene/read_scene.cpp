@@ -5,11 +5,16 @@
 #include <utility>
 #include <vector>
 
-#include "sim/io/toml_reader.hpp"
+#include "base/text/quantity.hpp"
+#include "base/text/toml_reader.hpp"
 #include "sim/scene/scene.hpp"
 
 namespace palpate::sim {
 namespace {
+
+Vec3 to_vec3(const base::Triple& values) {
+  return Vec3(values.data());
+}
 
 /// A value as a TOML file would hold it; what is no TOML is a string, so that units need no quotes in a
 /// shell.
@@ -54,49 +59,50 @@ void apply(toml::table& root, const Override& change) {
   parsed.get("value")->visit([&](const auto& value) { table->insert_or_assign(key, value); });
 }
 
-NodeSelection read_selection(TomlReader& reader, std::string_view key, const toml::node& node) {
+NodeSelection read_selection(base::TomlReader& reader, std::string_view key, const toml::node& node) {
   if (node.is_string()) return *node.value<std::string>();
   if (node.is_array()) {
     std::vector<std::int64_t> tags;
     for (const toml::node& item : *node.as_array()) {
       if (!item.is_integer())
-        reader.refuse(key, fmt::format("holds {}, accepted: node numbers", TomlReader::describe(item)));
+        reader.refuse(key, fmt::format("holds {}, accepted: node numbers", base::TomlReader::describe(item)));
       tags.push_back(*item.value<std::int64_t>());
     }
     return tags;
   }
   if (!node.is_table())
-    reader.refuse(key, fmt::format("found {}, accepted: a group's name, node numbers, or a box "
-                                   "{{ lower = [...], upper = [...] }}",
-                                   TomlReader::describe(node)));
-  TomlReader box(*node.as_table(), reader.file(), reader.key_path(key));
+    reader.refuse(key, fmt::format("found {}, accepted: a group's name, node numbers, or a box {{ lower = "
+                                   "[...], upper = [...] }}",
+                                   base::TomlReader::describe(node)));
+  base::TomlReader box(*node.as_table(), reader.file(), reader.key_path(key));
   box.required("lower", "accepted: three lengths");
   box.required("upper", "accepted: three lengths");
-  const Box found{*box.vector_quantity("lower", Dimension::Length),
-                  *box.vector_quantity("upper", Dimension::Length)};
+  const Box found{to_vec3(*box.vector_quantity("lower", base::Dimension::Length)),
+                  to_vec3(*box.vector_quantity("upper", base::Dimension::Length))};
   box.refuse_unknown();
   return found;
 }
 
-Material read_material(TomlReader& reader, double default_poisson) {
+Material read_material(base::TomlReader& reader, double default_poisson) {
   Material material;
-  material.young_modulus = reader.required_quantity("young_modulus", Dimension::Pressure, "\"1.0 MPa\"");
+  material.young_modulus =
+      reader.required_quantity("young_modulus", base::Dimension::Pressure, "\"1.0 MPa\"");
   material.poisson_ratio = reader.number("poisson_ratio").value_or(default_poisson);
   return material;
 }
 
-void refuse_later_effect(TomlReader& reader, std::string_view key, std::string_view effect) {
+void refuse_later_effect(base::TomlReader& reader, std::string_view key, std::string_view effect) {
   if (reader.has(key))
     reader.refuse(key, fmt::format("calls for {}, which this version does not simulate", effect));
 }
 
-BodySpec read_body(TomlReader& reader, const std::string& name, const std::filesystem::path& folder) {
+BodySpec read_body(base::TomlReader& reader, const std::string& name, const std::filesystem::path& folder) {
   BodySpec body{.name = name};
   body.present = reader.boolean("present").value_or(true);
   body.mesh = folder / reader.required_text("mesh");
   const std::string unit = reader.required_text("length_unit");
   try {
-    body.metres_per_unit = metres_per_unit(unit);
+    body.metres_per_unit = base::metres_per_unit(unit);
   } catch (const std::invalid_argument& error) {
     reader.refuse("length_unit", error.what());
   }
@@ -114,15 +120,15 @@ BodySpec read_body(TomlReader& reader, const std::string& name, const std::files
   if (const toml::node* touchable = reader.node("touchable"))
     body.touchable = read_selection(reader, "touchable", *touchable);
   body.scale = reader.number("scale").value_or(1.0);
-  body.rotate = reader.vector_quantity("rotate", Dimension::Angle).value_or(Vec3::Zero());
-  body.offset = reader.vector_quantity("offset", Dimension::Length).value_or(Vec3::Zero());
+  body.rotate = to_vec3(reader.vector_quantity("rotate", base::Dimension::Angle).value_or(base::Triple{}));
+  body.offset = to_vec3(reader.vector_quantity("offset", base::Dimension::Length).value_or(base::Triple{}));
   refuse_later_effect(reader, "volumetric", "the near-incompressible treatment");
   refuse_later_effect(reader, "relaxation", "viscosity");
   reader.refuse_unknown();
   return body;
 }
 
-ContactSpec read_contact(TomlReader& reader) {
+ContactSpec read_contact(base::TomlReader& reader) {
   ContactSpec contact;
   for (const toml::node& item :
        reader.as_array("touch", reader.required("touch", "accepted: pairs of bodies"),
@@ -144,7 +150,7 @@ ContactSpec read_contact(TomlReader& reader) {
   return contact;
 }
 
-ProbeKind read_kind(TomlReader& reader) {
+ProbeKind read_kind(base::TomlReader& reader) {
   const std::string kind = reader.required_text("kind");
   if (kind == "point") return ProbeKind::Point;
   if (kind == "pad") return ProbeKind::Pad;
@@ -153,26 +159,26 @@ ProbeKind read_kind(TomlReader& reader) {
   reader.refuse("kind", fmt::format("found \"{}\", accepted: point, pad", kind));
 }
 
-ProbeSpec read_probe(TomlReader& reader, const std::string& name) {
+ProbeSpec read_probe(base::TomlReader& reader, const std::string& name) {
   ProbeSpec probe{.name = name};
   probe.body = reader.required_text("body");
   probe.kind = read_kind(reader);
   const auto node = reader.integer("node");
-  const auto at = reader.vector_quantity("at", Dimension::Length);
+  const auto at = reader.vector_quantity("at", base::Dimension::Length);
   if (node.has_value() == at.has_value())
     reader.refuse("at",
                   "exactly one of at (a place) and node (a node's number in the mesh file) is accepted");
   if (node)
     probe.at = *node;
   else
-    probe.at = *at;
+    probe.at = to_vec3(*at);
   reader.required("direction", "accepted: three numbers such as [0, 0, 1]");
-  probe.direction = *reader.vector_number("direction");
+  probe.direction = to_vec3(*reader.vector_number("direction"));
   if (!probe.direction.allFinite() || probe.direction.stableNorm() == 0.0)
     reader.refuse("direction", "has no length; accepted: three numbers, not all 0");
   probe.direction.stableNormalize();
-  probe.depth = reader.required_quantity("depth", Dimension::Length, "\"5 mm\"");
-  probe.radius = reader.quantity("radius", Dimension::Length).value_or(0.0);
+  probe.depth = reader.required_quantity("depth", base::Dimension::Length, "\"5 mm\"");
+  probe.radius = reader.quantity("radius", base::Dimension::Length).value_or(0.0);
   if ((probe.kind == ProbeKind::Pad) != (probe.radius > 0.0))
     reader.refuse("radius", probe.kind == ProbeKind::Pad ? "a pad needs a radius > 0, such as \"6 mm\""
                                                          : "a point has no radius; kind = \"pad\" has one");
@@ -184,7 +190,7 @@ ProbeSpec read_probe(TomlReader& reader, const std::string& name) {
   return probe;
 }
 
-TomlReader required_table(TomlReader& reader, std::string_view key, std::string_view accepted) {
+base::TomlReader required_table(base::TomlReader& reader, std::string_view key, std::string_view accepted) {
   reader.required(key, accepted);
   return *reader.table(key);
 }
@@ -192,12 +198,12 @@ TomlReader required_table(TomlReader& reader, std::string_view key, std::string_
 }  // namespace
 
 Scene load_scene(const std::filesystem::path& file, std::span<const Override> overrides) {
-  toml::table root = read_toml(file);
+  toml::table root = base::read_toml(file);
   for (const Override& change : overrides) apply(root, change);
-  TomlReader reader(root, file.string());
+  base::TomlReader reader(root, file.string());
   Scene scene{.name = reader.required_text("name"), .file = file};
 
-  TomlReader bodies = required_table(reader, "bodies", "accepted: one table [bodies.NAME] a body");
+  base::TomlReader bodies = required_table(reader, "bodies", "accepted: one table [bodies.NAME] a body");
   for (const std::string& name : bodies.keys()) {
     auto body = bodies.table(name);
     scene.bodies.push_back(read_body(*body, name, file.parent_path()));
@@ -206,7 +212,7 @@ Scene load_scene(const std::filesystem::path& file, std::span<const Override> ov
     scene.contact = read_contact(*contact);
   else
     scene.contact.model = ContactModel::None;
-  TomlReader probes = required_table(reader, "probes", "accepted: one table [probes.NAME] a probe");
+  base::TomlReader probes = required_table(reader, "probes", "accepted: one table [probes.NAME] a probe");
   for (const std::string& name : probes.keys()) {
     auto probe = probes.table(name);
     scene.probes.push_back(read_probe(*probe, name));

@@ -23,13 +23,11 @@ Incidence triangles_around_nodes(const std::vector<Triangle>& triangles, Eigen::
   Incidence around{std::vector<int>(static_cast<std::size_t>(nodes) + 1),
                    std::vector<int>(3 * triangles.size())};
   for (const Triangle& triangle : triangles)
-    for (const int node : triangle) ++around.begin[static_cast<std::size_t>(node) + 1];
+    for (const int node : triangle) ++around.begin[node + 1];
   std::partial_sum(around.begin.begin(), around.begin.end(), around.begin.begin());
   std::vector<int> next = around.begin;
   for (std::size_t t = 0; t < triangles.size(); ++t)
-    for (const int node : triangles[t])
-      around.triangles[static_cast<std::size_t>(next[static_cast<std::size_t>(node)]++)] =
-          static_cast<int>(t);
+    for (const int node : triangles[t]) around.triangles[next[node]++] = static_cast<int>(t);
   return around;
 }
 
@@ -64,8 +62,8 @@ void add_body(const DrawnBody& body, const View& view, std::vector<Corner>& to) 
   Eigen::Index corner = 0;
   for (const Triangle& triangle : body.triangles) {
     for (int k = 0; k < 3; ++k, ++corner)
-      to.push_back({seen.col(triangle[static_cast<std::size_t>(k)]), normals.col(corner),
-                    rgba(body.colour, body.opacity), Eigen::Vector3f::Unit(k)});
+      to.push_back({seen.col(triangle[k]), normals.col(corner), rgba(body.colour, body.opacity),
+                    Eigen::Vector3f::Unit(k)});
   }
 }
 
@@ -103,7 +101,7 @@ Eigen::Matrix3Xf corner_normals(const Eigen::Matrix3Xf& positions, const std::ve
   const auto count = static_cast<Eigen::Index>(triangles.size());
   Eigen::Matrix3Xf area(3, count), unit(3, count);  // twice the area along the normal
   for (Eigen::Index t = 0; t < count; ++t) {
-    const Triangle& triangle = triangles[static_cast<std::size_t>(t)];
+    const Triangle& triangle = triangles[t];
     const Eigen::Vector3f p = positions.col(triangle[0]);
     area.col(t) = (positions.col(triangle[1]) - p).cross(positions.col(triangle[2]) - p);
     unit.col(t) = area.col(t).stableNormalized();
@@ -112,10 +110,10 @@ Eigen::Matrix3Xf corner_normals(const Eigen::Matrix3Xf& positions, const std::ve
   Eigen::Matrix3Xf normals(3, 3 * count);
   for (Eigen::Index t = 0; t < count; ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto node = static_cast<std::size_t>(triangles[static_cast<std::size_t>(t)][k]);
+      const auto node = static_cast<std::size_t>(triangles[t][k]);
       Eigen::Vector3f sum = Eigen::Vector3f::Zero();
       for (int i = around.begin[node]; i < around.begin[node + 1]; ++i) {
-        const int other = around.triangles[static_cast<std::size_t>(i)];
+        const int other = around.triangles[i];
         if (other == t || unit.col(t).dot(unit.col(other)) > kCosCrease) sum += area.col(other);
       }
       normals.col(3 * t + static_cast<Eigen::Index>(k)) = sum.stableNormalized();

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "sim/cycle/cycle.hpp"
-#include "sim/scene/model.hpp"
+#include "sim/model/model.hpp"
 #include "sim/view/picture.hpp"
 
 namespace palpate::sim {

@@ -47,7 +47,7 @@ double distance_to_triangle(const Vec3& p, const Vec3& along, const Vec3& a, con
 double room(const Model& model, const Vec3& p, const Vec3& along) {
   double nearest = kInfinity;
   for (const Body& body : model.bodies) {
-    const auto at = [&](int node) -> const Vec3& { return body.mesh->nodes[static_cast<std::size_t>(node)]; };
+    const auto at = [&](int node) -> const Vec3& { return body.mesh->nodes[node]; };
     for (const Triangle& t : body.surface->triangles)
       nearest = std::min(nearest, distance_to_triangle(p, along, at(t[0]), at(t[1]), at(t[2])));
   }
@@ -119,8 +119,7 @@ ProbeShape shape_of(const Model& model, const Probe& probe, const Bounds& bounds
   const double diagonal = bounds.diagonal(), skin = 1e-3 * diagonal;
   const double behind = room(model, probe.at - skin * probe.direction, -probe.direction);
   ProbeShape shape;
-  shape.radius = std::min(drawn_radius(probe, model.bodies[static_cast<std::size_t>(probe.body)], diagonal),
-                          0.45 * behind);
+  shape.radius = std::min(drawn_radius(probe, model.bodies[probe.body], diagonal), 0.45 * behind);
   const Vec3 end = probe.at - (shape.radius + skin) * probe.direction;
   const double free = choose_shaft(model, probe, end, diagonal, shape);
   double leaves_bounds = kInfinity;
@@ -190,8 +189,7 @@ Stage set_stage(const Model& model, double aspect) {
   const Bounds bounds = bounds_of(model);
   std::vector<Vec3> points;
   for (const Body& body : model.bodies)
-    for (const int node : body.surface->nodes)
-      points.push_back(body.mesh->nodes[static_cast<std::size_t>(node)]);
+    for (const int node : body.surface->nodes) points.push_back(body.mesh->nodes[node]);
   for (const Probe& probe : model.probes) {
     const ProbeShape shape = shape_of(model, probe, bounds);
     const Vec3 end = probe.at - shape.radius * probe.direction;

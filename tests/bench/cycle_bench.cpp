@@ -23,7 +23,7 @@ std::vector<std::vector<ProbePose>> poses(const Model& model) {
   std::vector<std::vector<ProbePose>> all;
   for (int i = 0; i < kPoses; ++i)
     all.push_back(pose_at_depth(model, kFirstDepth + (kDepth - kFirstDepth) * i / (kPoses - 1)));
-  for (int i = kPoses - 2; i > 0; --i) all.push_back(all[static_cast<std::size_t>(i)]);  // and back
+  for (int i = kPoses - 2; i > 0; --i) all.push_back(all[i]);  // and back
   return all;
 }
 

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "tests/end_to_end/program.hpp"
+#include "tests/support/places.hpp"
 #include "tests/trials/support/files.hpp"
 
 namespace palpate {
@@ -30,7 +31,7 @@ bool succeeds(const std::string& command) {
 class Export : public testing::Test {
  protected:
   Export() {
-    const std::string protocol = std::string(PALPATE_SOURCE_DIR) + "/protocols/kuroda2003.toml";
+    const std::string protocol = palpate::test::source_folder() + "/protocols/kuroda2003.toml";
     const Outcome made =
         run({"simulate", protocol, "--study", file("a.db"), "--examinees", "6", "--seed", "1"});
     EXPECT_EQ(made.exit_code, 0) << made.err;
@@ -124,9 +125,9 @@ TEST_F(Export, OverwritesNothing) {
 TEST_F(Export, AFullDiskLeavesNothing) {
   for (const char* as : {"csv", "json", "psych-ds", "bids"}) {
     // Files may not grow beyond 4 blocks of 1024 bytes.
-    const std::string command = "ulimit -f 4; trap '' XFSZ; exec " + std::string(PALPATE_PROGRAM) +
-                                " export " + file("a.db") + " --as " + as + " --out " + file("x/out") +
-                                " 2> " + file("said");
+    const std::string command = "ulimit -f 4; trap '' XFSZ; exec " + palpate::test::program_file() + " export " +
+                                file("a.db") + " --as " + as + " --out " + file("x/out") + " 2> " +
+                                file("said");
     const int status = std::system(("bash -c \"" + command + "\" > /dev/null").c_str());
     EXPECT_EQ(WEXITSTATUS(status), 3) << as;
     EXPECT_THAT(read(folder_ / "said"), HasSubstr("cannot write: File too large")) << as;
@@ -146,7 +147,7 @@ TEST_F(Export, RReadsItAndGetsTheReportsNumbers) {
   ASSERT_TRUE(succeeds("command -v Rscript")) << "install r-base-core, as packages.txt says";
   ASSERT_EQ(exported("csv", "csv").exit_code, 0);
   std::filesystem::create_directory(folder_ / "r");
-  const std::string script = std::string(PALPATE_SOURCE_DIR) + "/tests/end_to_end/read_export.R";
+  const std::string script = palpate::test::source_folder() + "/tests/end_to_end/read_export.R";
   ASSERT_TRUE(succeeds("Rscript --vanilla " + script + " " + file("csv") + " " + file("r")));
   expect_the_report_s_numbers("r");
 }
@@ -154,7 +155,8 @@ TEST_F(Export, RReadsItAndGetsTheReportsNumbers) {
 TEST_F(Export, PandasReadsItAndGetsTheReportsNumbers) {
   const std::string python = "/usr/bin/python3";  // Debian's own, which has python3-pandas
   ASSERT_TRUE(succeeds(python + " -c 'import pandas'")) << "install python3-pandas, as packages.txt says";
-  const std::string script = python + " " + PALPATE_SOURCE_DIR + "/tests/end_to_end/read_export.py ";
+  const std::string script =
+      python + " " + palpate::test::source_folder() + "/tests/end_to_end/read_export.py ";
   for (const auto& [as, option] : {std::pair{"csv", ""}, std::pair{"bids", " --bids"}}) {
     ASSERT_EQ(exported(as, as).exit_code, 0);
     const std::string out = std::string("from-") + as;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/end_to_end/program.hpp"
+#include "tests/support/places.hpp"
 #include "tests/trials/support/files.hpp"
 
 namespace palpate {
@@ -20,7 +21,7 @@ using trials::test::TemporaryFolder;
 class Merge : public testing::Test {
  protected:
   Merge() {
-    const std::string protocol = std::string(PALPATE_SOURCE_DIR) + "/protocols/kuroda2003.toml";
+    const std::string protocol = palpate::test::source_folder() + "/protocols/kuroda2003.toml";
     for (const auto& [name, seed] : {std::pair{"osaka.db", "1"}, std::pair{"kyoto.db", "2"}}) {
       const Outcome made =
           run({"simulate", protocol, "--study", file(name), "--examinees", "2", "--seed", seed});
@@ -72,7 +73,7 @@ TEST_F(Merge, RefusesEqualCodesAndTakenNames) {
 }
 
 TEST_F(Merge, AFullDiskLeavesNothing) {
-  std::string command = std::string("ulimit -f 100; trap '' XFSZ; exec ") + PALPATE_PROGRAM;
+  std::string command = std::string("ulimit -f 100; trap '' XFSZ; exec ") + palpate::test::program_file();
   for (const std::string& word : join("all.db")) command += " " + word;
   command += " 2> " + file("said");
   const int status = std::system(("bash -c \"" + command + "\" > /dev/null").c_str());

@@ -10,6 +10,8 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "tests/support/places.hpp"
+
 namespace palpate::test {
 namespace {
 
@@ -18,7 +20,7 @@ int code_of(int status) {
 }
 
 pid_t start(const std::vector<std::string>& arguments, int out, int err) {
-  std::vector<char*> argv{const_cast<char*>(PALPATE_PROGRAM)};
+  std::vector<char*> argv{const_cast<char*>(program_file().c_str())};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
   const pid_t pid = ::fork();
@@ -26,7 +28,7 @@ pid_t start(const std::vector<std::string>& arguments, int out, int err) {
   if (pid == 0) {
     ::dup2(out, STDOUT_FILENO);
     ::dup2(err, STDERR_FILENO);
-    ::execv(PALPATE_PROGRAM, argv.data());
+    ::execv(program_file().c_str(), argv.data());
     ::_exit(127);
   }
   return pid;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/end_to_end/program.hpp"
+#include "tests/support/places.hpp"
 #include "tests/trials/support/files.hpp"
 #include "tests/trials/support/raw_sql.hpp"
 
@@ -23,7 +24,7 @@ class ReportEndToEnd : public testing::Test {
   std::string file(const std::string& name) const { return (folder_ / name).string(); }
   void simulate(const std::string& protocol, int examinees) const {
     const Outcome made =
-        run({"simulate", std::string(PALPATE_SOURCE_DIR) + "/protocols/" + protocol, "--study", file("a.db"),
+        run({"simulate", palpate::test::source_folder() + "/protocols/" + protocol, "--study", file("a.db"),
              "--examinees", std::to_string(examinees), "--seed", "1"});
     ASSERT_EQ(made.exit_code, 0) << made.err;
   }

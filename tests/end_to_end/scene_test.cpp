@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "tests/end_to_end/program.hpp"
+#include "tests/support/places.hpp"
 #include "tests/trials/support/files.hpp"
 
 namespace palpate {
@@ -29,7 +30,7 @@ using trials::test::read;
 using trials::test::TemporaryFolder;
 using trials::test::write;
 
-const std::string kSource = PALPATE_SOURCE_DIR;
+const std::string kSource = palpate::test::source_folder();
 const std::string kScene = kSource + "/data/scenes/rectal-palpation.toml";
 const std::string kStudy = kSource + "/protocols/kuroda2003.toml";
 
@@ -152,7 +153,7 @@ TEST_F(SceneCommands, ADirectionIsADirectionHoweverLong) {
 }
 
 TEST_F(SceneCommands, AResultThatCannotBeWrittenIsNoSuccess) {
-  const std::string command = std::string(PALPATE_PROGRAM) + " stats binomial --correct 41 --trials 60 ";
+  const std::string command = palpate::test::program_file() + " stats binomial --correct 41 --trials 60 ";
   EXPECT_EQ(WEXITSTATUS(std::system((command + ">/dev/full 2>/dev/null").c_str())), 3);
   EXPECT_EQ(WEXITSTATUS(std::system((command + ">/dev/null").c_str())), 0);
 }

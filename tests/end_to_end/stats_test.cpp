@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "tests/end_to_end/program.hpp"
+#include "tests/support/places.hpp"
 
 namespace palpate::test {
 namespace {
@@ -204,11 +205,11 @@ TEST_F(Stats, PartsOfABootstrapMergeToOneRun) {
 }
 
 TEST_F(Stats, PartsOfAPowerSimulationMergeToOneRun) {
-  std::string small = text_of(std::string(PALPATE_SOURCE_DIR) + "/protocols/kuroda2003.toml");
+  std::string small = text_of(palpate::test::source_folder() + "/protocols/kuroda2003.toml");
   const auto put = [&small](const std::string& from, const std::string& to) {
     small.replace(small.find(from), from.size(), to);
   };
-  put("../data", std::string(PALPATE_SOURCE_DIR) + "/data");
+  put("../data", palpate::test::source_folder() + "/data");
   put("planned_examinees = 15", "planned_examinees = 2");
   put("per_cell = 4", "per_cell = 1");
   const std::string protocol = file("small.toml", small);
@@ -271,7 +272,7 @@ TEST_F(Stats, PartsOfTwoProtocolsAreNotJoined) {
 // Made by `palpate stats list --format markdown > docs/procedures.md`.
 TEST_F(Stats, ThePageThatDocumentsThemIsUpToDate) {
   EXPECT_EQ(run({"stats", "list", "--format", "markdown"}).out,
-            text_of(std::string(PALPATE_SOURCE_DIR) + "/docs/procedures.md"));
+            text_of(palpate::test::source_folder() + "/docs/procedures.md"));
 }
 
 }  // namespace palpate::test

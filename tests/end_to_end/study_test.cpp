@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "tests/end_to_end/program.hpp"
+#include "tests/support/places.hpp"
 #include "tests/trials/support/files.hpp"
 #include "tests/trials/support/raw_sql.hpp"
 
@@ -26,7 +27,7 @@ using trials::test::read;
 using trials::test::TemporaryFolder;
 using trials::test::write;
 
-const std::string kProtocol = std::string(PALPATE_SOURCE_DIR) + "/protocols/kuroda2003.toml";
+const std::string kProtocol = palpate::test::source_folder() + "/protocols/kuroda2003.toml";
 
 class StudyEndToEnd : public testing::Test {
  protected:
@@ -110,7 +111,7 @@ TEST_F(StudyEndToEnd, APlanTooLargeToComputeIsRefused) {
   std::string large = read(kProtocol);
   const std::string planned = "planned_examinees = 15";
   large.replace(large.find(planned), planned.size(), "planned_examinees = 100000");
-  large.replace(large.find("../data"), 7, std::string(PALPATE_SOURCE_DIR) + "/data");
+  large.replace(large.find("../data"), 7, palpate::test::source_folder() + "/data");
   write(file("large.toml"), large);
   const Outcome outcome = run({"plan", file("large.toml")});
   EXPECT_EQ(outcome.exit_code, 1) << outcome.out;
@@ -225,8 +226,8 @@ TEST_F(StudyEndToEnd, AReportTakesNoStudysPlaceAndNeedsOneThatIsWhole) {
   }
   EXPECT_EQ(read(folder_ / "a.db"), before);
   ASSERT_EQ(trials::test::sql(folder_ / "a.db",
-                              "DROP TRIGGER answer_refuses_UPDATE;"
-                              "UPDATE answer SET response = 3 - response, correct = 1 - correct"),
+                              "DROP TRIGGER answer_refuses_UPDATE;UPDATE answer SET response = 3 - response, "
+                              "correct = 1 - correct"),
             "");
   for (const std::vector<std::string>& asked :
        {std::vector<std::string>{"report", file("a.db"), "--run-mode", "simulated"},
@@ -261,7 +262,7 @@ TEST_F(StudyEndToEnd, AFullDiskIsSaidAndLosesNothing) {
   // does not fit.
   const auto blocks = std::filesystem::file_size(folder_ / "a.db") / 1024 + 8;
   const std::string command = "ulimit -f " + std::to_string(blocks) + "; trap '' XFSZ; exec " +
-                              PALPATE_PROGRAM + " simulate " + kProtocol + " --study " + file("a.db") +
+                              palpate::test::program_file() + " simulate " + kProtocol + " --study " + file("a.db") +
                               " --examinees 6 --seed 1 2> " + file("said");
   const int status = std::system(("bash -c \"" + command + "\" > /dev/null").c_str());
   EXPECT_EQ(WEXITSTATUS(status), 3);

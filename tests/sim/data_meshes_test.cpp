@@ -12,6 +12,7 @@
 #include "sim/mesh/read_mesh.hpp"
 #include "sim/mesh/surface.hpp"
 #include "sim/scene/scene.hpp"
+#include "tests/support/places.hpp"
 
 // The meshes and scenes under data/: what the paper's Table 1 asks of them, and what every scene relies on.
 
@@ -20,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kData = fs::path(PALPATE_SOURCE_DIR) / "data";
+const fs::path kData = fs::path(palpate::test::source_folder()) / "data";
 
 std::vector<fs::path> files(const fs::path& folder, const std::string& extension) {
   std::vector<fs::path> found;
@@ -142,7 +143,7 @@ TEST_P(EveryScene, LeavesASmallGapAtRest) {
   const Scene scene = load_scene(GetParam());
   ASSERT_EQ(scene.bodies.size(), 2u);
   const auto box = [&](int i) {
-    const BodySpec& body = scene.bodies[static_cast<std::size_t>(i)];
+    const BodySpec& body = scene.bodies[i];
     return measure_quality(read_mesh(body.mesh, body.metres_per_unit).mesh);
   };
   // A horizontal plane lies between the two bodies of every scene here, so that they cannot overlap.

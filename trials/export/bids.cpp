@@ -7,12 +7,12 @@
 #include <set>
 #include <stdexcept>
 
-#include "sim/io/new_folder.hpp"
-#include "trials/delimited.hpp"
+#include "base/files/new_folder.hpp"
 #include "trials/export/bids_physio.hpp"
 #include "trials/export/datasets.hpp"
 #include "trials/export/json_number.hpp"
 #include "trials/export/words.hpp"
+#include "trials/tables/delimited.hpp"
 
 namespace palpate::trials {
 namespace {
@@ -90,7 +90,7 @@ ordered_json sidecar_of(const Protocol& protocol, const SessionRow& session) {
 /// Writes one data set into a folder, sitting by sitting.
 class Writer {
  public:
-  Writer(const StudyFile& study, const ExportFacts& facts, sim::NewFolder& files)
+  Writer(const StudyFile& study, const ExportFacts& facts, base::NewFolder& files)
       : study_(study), facts_(facts), files_(files), task_(label_of(study.protocol().name)) {
     for (const Table& table : checked_tables(study)) tables_.push_back(by_sitting(table));
   }
@@ -103,8 +103,7 @@ class Writer {
     }
     if (sittings_.empty())
       throw std::invalid_argument(
-          "the study holds nothing yet that was felt or answered; BIDS wants at least "
-          "one data file");
+          "the study holds nothing yet that was felt or answered; BIDS wants at least one data file");
     add_participants();
     add_description();
     files_.add("README.md", readme());
@@ -146,8 +145,8 @@ class Writer {
                            {"Columns", ordered_json::array()},
                            {"RecordingDescription",
                             "Presentations one after the other; between them nothing was recorded. time_s "
-                            "begins anew with each; "
-                            "trial, interval and counted = 1 lead to the row of the table acq-intervals."}};
+                            "begins anew with each; trial, interval and counted = 1 lead to the row of the "
+                            "table acq-intervals."}};
     for (const Column& column : physio_columns()) object["Columns"].push_back(column.name);
     object.update(sidecar_of(study_.protocol(), session));
     add_columns(object, physio_columns());
@@ -208,11 +207,9 @@ class Writer {
         "- `*_task-{4}_acq-exposures_beh.tsv`: one row a presentation that did not count, where there was "
         "one\n"
         "- `*_task-{4}_recording-force_physio.tsv.gz`: depth and force as felt, sample by sample; its JSON "
-        "file "
-        "names the columns\n\n"
+        "file names the columns\n\n"
         "Each file has its columns described in the JSON file beside it. Missing values are `n/a`. Points in "
-        "time are "
-        "UTC. `sourcedata/` holds the protocol and the scene as they were run.\n",
+        "time are UTC. `sourcedata/` holds the protocol and the scene as they were run.\n",
         protocol.name, describe_dataset(study_), describe_task(protocol), protocol.question, task_);
     text += fmt::format("\n## Columns of the answers\n\n{}",
                         codebook_markdown(as_bids({.name = "trials", .columns = trial_columns(protocol)})));
@@ -224,7 +221,7 @@ class Writer {
 
   const StudyFile& study_;
   const ExportFacts& facts_;
-  sim::NewFolder& files_;
+  base::NewFolder& files_;
   std::string task_;
   std::vector<std::map<SittingKey, Table>> tables_{};
   std::map<std::string, std::vector<SessionRow>> sittings_{};
@@ -233,7 +230,7 @@ class Writer {
 }  // namespace
 
 void export_bids(const StudyFile& study, const ExportFacts& facts, const std::filesystem::path& folder) {
-  sim::NewFolder files(folder, sim::NewFolder::Beside::Nothing);
+  base::NewFolder files(folder, base::NewFolder::Beside::Nothing);
   Writer(study, facts, files).write();
   refuse_problems("the BIDS data set", check_bids(files.aside()));
   files.finish();

@@ -10,7 +10,7 @@
 #include <memory>
 #include <system_error>
 
-#include "trials/table.hpp"
+#include "trials/tables/table.hpp"
 
 namespace palpate::trials {
 namespace {

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "trials/codebook.hpp"
-#include "trials/study_file.hpp"
+#include "trials/study/study_file.hpp"
+#include "trials/tables/codebook.hpp"
 
 namespace palpate::trials {
 

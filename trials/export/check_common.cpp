@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 #include <set>
+
+#include "base/files/read_file.hpp"
 
 namespace palpate::trials {
 namespace {
@@ -28,9 +29,12 @@ json parse_strictly(const std::string& text) {
 }  // namespace
 
 std::string read_text(const fs::path& root, const fs::path& file, Problems& problems) {
-  std::ifstream stream(root / file, std::ios::binary);
-  if (!stream) problems.push_back(fmt::format("{}: is missing or cannot be read", file.string()));
-  return {std::istreambuf_iterator<char>(stream), {}};
+  try {
+    return base::read_file(root / file);
+  } catch (const std::exception&) {
+    problems.push_back(fmt::format("{}: is missing or cannot be read", file.string()));
+    return {};
+  }
 }
 
 json read_object(const fs::path& root, const fs::path& file, Problems& problems) {

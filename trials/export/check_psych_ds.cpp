@@ -7,10 +7,10 @@
 #include <regex>
 #include <set>
 
-#include "trials/delimited.hpp"
 #include "trials/export/check_common.hpp"
 #include "trials/export/check_values.hpp"
 #include "trials/export/datasets.hpp"
+#include "trials/tables/delimited.hpp"
 
 namespace palpate::trials {
 namespace {

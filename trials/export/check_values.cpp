@@ -9,7 +9,7 @@
 #include <regex>
 #include <set>
 
-#include "trials/delimited.hpp"
+#include "trials/tables/delimited.hpp"
 
 namespace palpate::trials {
 namespace {

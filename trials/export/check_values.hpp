@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "trials/table.hpp"
+#include "trials/tables/table.hpp"
 
 namespace palpate::trials {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "trials/study_file.hpp"
-#include "trials/table.hpp"
+#include "trials/study/study_file.hpp"
+#include "trials/tables/table.hpp"
 
 namespace palpate::trials {
 

@@ -4,17 +4,17 @@
 
 #include <nlohmann/json.hpp>
 
-#include "sim/io/new_folder.hpp"
-#include "trials/delimited.hpp"
+#include "base/files/new_folder.hpp"
 #include "trials/export/datasets.hpp"
 #include "trials/export/json_number.hpp"
 #include "trials/export/words.hpp"
+#include "trials/tables/delimited.hpp"
 
 namespace palpate::trials {
 namespace {
 
 using nlohmann::ordered_json;
-using Beside = sim::NewFolder::Beside;
+using Beside = base::NewFolder::Beside;
 
 Value optional_number(const std::optional<double>& value) {
   return value ? Value(*value) : Value();
@@ -83,7 +83,7 @@ ordered_json as_json(const Table& table) {
 void export_csv(const StudyFile& study, const std::filesystem::path& folder) {
   std::vector<Table> tables = checked_tables(study);
   tables.push_back(codebook_table(tables));
-  sim::NewFolder files(folder, Beside::Others);
+  base::NewFolder files(folder, Beside::Others);
   std::vector<std::string> problems;
   for (const Table& table : tables) {
     const std::string text = to_csv(table), name = table.name + ".csv";
@@ -103,7 +103,7 @@ void export_json(const StudyFile& study, const std::filesystem::path& folder) {
                          {"software_version", row.software_version},
                          {"description", describe_dataset(study)}};
   for (const Table& table : checked_tables(study)) object[table.name] = as_json(table);
-  sim::NewFolder files(folder, Beside::Others);
+  base::NewFolder files(folder, Beside::Others);
   files.add("study.json", object.dump(1) + "\n");
   files.finish();
 }

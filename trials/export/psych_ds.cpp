@@ -5,11 +5,11 @@
 #include <set>
 #include <stdexcept>
 
-#include "sim/io/new_folder.hpp"
-#include "trials/delimited.hpp"
+#include "base/files/new_folder.hpp"
 #include "trials/export/datasets.hpp"
 #include "trials/export/json_number.hpp"
 #include "trials/export/words.hpp"
+#include "trials/tables/delimited.hpp"
 
 namespace palpate::trials {
 namespace {
@@ -60,8 +60,7 @@ std::string readme(const StudyFile& study, const std::vector<Table>& tables, con
   std::string text = fmt::format(
       "# {}\n\n{}\n\n{}\nThe question: {}\n\n"
       "A Psych-DS data set, written by palpate. `materials/` holds the protocol and the scene as they were "
-      "run. "
-      "Missing values are `n/a`. Points in time are UTC.\n",
+      "run. Missing values are `n/a`. Points in time are UTC.\n",
       study.study().protocol_name, describe_dataset(study), describe_task(study.protocol()),
       study.protocol().question);
   for (const Table& table : tables)
@@ -79,7 +78,7 @@ void export_psych_ds(const StudyFile& study, const ExportFacts& facts, const std
         "the study holds no answers yet; Psych-DS wants at least one data file with rows");
   std::erase_if(tables, [](const Table& table) { return table.rows.empty(); });
   const std::string label = label_of(study.study().protocol_name);
-  sim::NewFolder files(folder, sim::NewFolder::Beside::Nothing);
+  base::NewFolder files(folder, base::NewFolder::Beside::Nothing);
   for (const Table& table : tables)
     files.add(fmt::format("data/study-{}_description-{}_data.csv", label, table.name), to_csv(table));
   files.add("dataset_description.json", description(study, facts, tables).dump(2) + "\n");

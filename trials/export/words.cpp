@@ -83,10 +83,8 @@ std::string describe_task(const Protocol& protocol) {
   for (const std::size_t condition : protocol.pair) pair.push_back(protocol.conditions[condition].name);
   return fmt::format(
       "{}: the examinee presses on a simulated body in {} intervals, one with each of the conditions {}, in "
-      "random "
-      "order, {} to {} times, at least {:g} mm deep and for at most {:g} s, and then answers the question. "
-      "Correct is "
-      "the interval with the condition {}.",
+      "random order, {} to {} times, at least {:g} mm deep and for at most {:g} s, and then answers the "
+      "question. Correct is the interval with the condition {}.",
       protocol.task, intervals_per_trial(protocol), fmt::join(pair, " and "),
       protocol.exploration.least_presses, protocol.exploration.most_presses,
       1e3 * protocol.exploration.min_depth, protocol.exploration.max_time,

@@ -27,10 +27,10 @@ struct Reference {
 
 }  // namespace
 
-// Without guesses and lapses it is a generalised linear model. R 4.2:
-// x <- 0:4; k <- c(5, 14, 24, 40, 45); f <- glm(cbind(k, 50 - k) ~ x, binomial(LINK), control =
-// list(epsilon = 1e-14, maxit = 100)); coef(f); deviance(f), with LINK logit, probit, cloglog; for
-// gumbel-right the cloglog of 50 - k with the signs of its coefficients turned.
+// Without guesses and lapses it is a generalised linear model. R 4.2: x <- 0:4; k <- c(5, 14, 24, 40, 45); f
+// <- glm(cbind(k, 50 - k) ~ x, binomial(LINK), control = list(epsilon = 1e-14, maxit = 100)); coef(f);
+// deviance(f), with LINK logit, probit, cloglog; for gumbel-right the cloglog of 50 - k with the signs of its
+// coefficients turned.
 TEST(PsychometricFit, WithoutGuessAndLapseIsR_glm) {
   for (const Reference& glm :
        {Reference{Shape::Logistic, -2.16125181036, 1.11833336371, 0.76969902326},

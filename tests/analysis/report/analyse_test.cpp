@@ -91,8 +91,7 @@ TEST(Analyse, WithholdsTestsUntilThePlannedSampleIsComplete) {
 TEST(Analyse, NeverPoolsRunModes) {
   EXPECT_EQ(message([] { analyse(mixed_modes()); }),
             "the study holds sessions of several run modes, which are never pooled: pilot, practice and "
-            "study; name "
-            "one with --run-mode");
+            "study; name one with --run-mode");
   const StudyReport report = analyse(mixed_modes(), {.run_mode = "study"});
   EXPECT_EQ(report.cells[0].trials, 52);
   EXPECT_EQ(report.examinees.size(), 13u);

@@ -11,6 +11,7 @@
 #include "analysis/report/write_report.hpp"
 #include "analysis/svg.hpp"
 #include "tests/analysis/report/fixture.hpp"
+#include "tests/support/places.hpp"
 
 using namespace palpate::analysis;
 using nlohmann::ordered_json;
@@ -57,7 +58,7 @@ TEST(TextReport, IsAsItWasReviewed) {
   // The file was read line by line against the numbers; make it anew with PALPATE_REWRITE_GOLDEN=1, and read
   // it again.
   const std::filesystem::path golden =
-      std::filesystem::path(PALPATE_SOURCE_DIR) / "tests/analysis/report/paper.txt";
+      std::filesystem::path(palpate::test::source_folder()) / "tests/analysis/report/paper.txt";
   const std::string text = text_report(analyse(paper_with_everything(), kOptions));
   if (std::getenv("PALPATE_REWRITE_GOLDEN") != nullptr) std::ofstream(golden) << text;
   std::ostringstream expected;

@@ -58,8 +58,8 @@ std::vector<double> probabilities(long trials, double chance, double mean, doubl
 
 }  // namespace
 
-// All figures "by R" below are of R 4.2: the likelihood by Gauss-Jacobi quadrature where corrected,
-// r <- statmod::gauss.quad.prob(12, "beta", alpha = a, beta = b); lchoose(n, x) + log(sum(r$weights * (c + (1
+// All figures "by R" below are of R 4.2: the likelihood by Gauss-Jacobi quadrature where corrected, r <-
+// statmod::gauss.quad.prob(12, "beta", alpha = a, beta = b); lchoose(n, x) + log(sum(r$weights * (c + (1
 // - c) * r$nodes)^x * ((1 - c) * (1 - r$nodes))^(n - x))), else lchoose(n, x) + lbeta(a + x, b + n - x) -
 // lbeta(a, b), with a = mu (1 - gamma)/gamma, b = (1 - mu)(1 - gamma)/gamma; optim(method = "L-BFGS-B", factr
 // = 100), optimHess(ndeps = 1e-4), profiles by optimize() and uniroot(). They are good to some 1e-6.

@@ -124,8 +124,7 @@ TEST(PairedScaling, RecoversWhatWasSimulated) {
   }
   const PairedScaling result = paired_scaling(comparisons, ScaleModel::BradleyTerry, "a");
   for (int i = 1; i < 4; ++i) {
-    EXPECT_NEAR(result.items[static_cast<std::size_t>(i)].value, truth[i],
-                3.5 * result.items[static_cast<std::size_t>(i)].standard_error);
+    EXPECT_NEAR(result.items[i].value, truth[i], 3.5 * result.items[i].standard_error);
   }
 }
 

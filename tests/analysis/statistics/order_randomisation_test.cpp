@@ -59,7 +59,7 @@ TEST(OrderRandomisation, SaysNothingOfWhoAlwaysAnswersTheSame) {
 //   print(d[40:].sum(), d[38:].sum())
 TEST(OrderRandomisation, ConvolvesExaminees) {
   std::vector<OrderStratum> strata(15, {.trials = 4, .correct_first = 2, .answers_first = 2, .correct = 2});
-  for (int i = 0; i < 5; ++i) strata[static_cast<std::size_t>(i)].correct = 4;
+  for (int i = 0; i < 5; ++i) strata[i].correct = 4;
   const OrderRandomisationTest test = order_randomisation_test(strata, 0.05, Side::Greater);
   EXPECT_EQ(test.correct, 40);
   EXPECT_NEAR(test.p.greater, 0.021248040519646034, 1e-12);

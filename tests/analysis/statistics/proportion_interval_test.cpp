@@ -15,7 +15,7 @@ double coverage(const std::vector<Interval>& intervals, double p) {
   const long n = std::ssize(intervals) - 1;
   double total = 0.0;
   for (long k = 0; k <= n; ++k) {
-    const Interval& interval = intervals[static_cast<std::size_t>(k)];
+    const Interval& interval = intervals[k];
     if (p < interval.lower || p > interval.upper) continue;
     double probability = 1.0;  // of k correct answers: the binomial coefficient, factor by factor
     for (long i = 1; i <= k; ++i) probability *= static_cast<double>(n - k + i) / static_cast<double>(i);

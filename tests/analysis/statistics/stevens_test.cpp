@@ -12,8 +12,8 @@ using testing::HasSubstr;
 
 namespace {
 
-// R 4.2: set.seed(3); ex <- rep(1:6, each = 5); lv <- rep(c(.5, 1, 2, 4, 8), 6); off <- rnorm(6);
-// est <- round(exp(off[ex] + .8*log(lv) + rnorm(30, 0, .15)), 2)
+// R 4.2: set.seed(3); ex <- rep(1:6, each = 5); lv <- rep(c(.5, 1, 2, 4, 8), 6); off <- rnorm(6); est <-
+// round(exp(off[ex] + .8*log(lv) + rnorm(30, 0, .15)), 2)
 std::vector<MagnitudeEstimate> six_examinees() {
   const double estimates[6][5] = {{0.22, 0.45, 0.55, 1.4, 1.8},   {0.36, 0.67, 1.35, 2.31, 3.76},
                                   {0.64, 1.18, 2.71, 4.05, 6.27}, {0.16, 0.31, 0.43, 0.89, 1.49},

@@ -14,9 +14,10 @@
 
 #include "analysis/report/primary_power.hpp"
 #include "analysis/report/primary_test.hpp"
-#include "app/study_table.hpp"
-#include "trials/plan.hpp"
-#include "trials/protocol.hpp"
+#include "app/study/study_table.hpp"
+#include "tests/support/places.hpp"
+#include "trials/plan/plan.hpp"
+#include "trials/protocol/protocol.hpp"
 
 namespace palpate::app {
 namespace {
@@ -105,8 +106,8 @@ class PrimaryTestOfStudies {
 
 class ShippedProtocol : public testing::TestWithParam<std::string> {
  protected:
-  trials::Protocol protocol_ =
-      trials::load_protocol(std::filesystem::path(PALPATE_SOURCE_DIR) / "protocols" / (GetParam() + ".toml"));
+  trials::Protocol protocol_ = trials::load_protocol(std::filesystem::path(palpate::test::source_folder()) /
+                                                     "protocols" / (GetParam() + ".toml"));
 
   /// Share of studies in which the first cell's test rejects; `answers` answers a plan.
   template <typename Answers>
@@ -144,8 +145,8 @@ double bound(double alpha) {
 
 std::vector<std::string> shipped() {
   std::vector<std::string> names;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(std::filesystem::path(PALPATE_SOURCE_DIR) / "protocols"))
+  for (const auto& entry : std::filesystem::directory_iterator(
+           std::filesystem::path(palpate::test::source_folder()) / "protocols"))
     if (entry.path().extension() == ".toml") names.push_back(entry.path().stem());
   std::sort(names.begin(), names.end());
   return names;

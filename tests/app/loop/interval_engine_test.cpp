@@ -7,7 +7,7 @@
 #include <memory>
 #include <numbers>
 
-#include "app/web/messages.hpp"
+#include "app/web/pages/examinee/messages.hpp"
 #include "tests/app/support/palpation.hpp"
 
 namespace palpate::app {

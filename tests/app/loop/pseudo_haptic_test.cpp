@@ -72,8 +72,8 @@ TEST(PseudoHaptic, SettlesOnTissueThatStiffensSuddenly) {
 }
 
 // The paper's contact laws jump when a pair comes or goes. Here the spring pulls with 40 N at 4 mm, where the
-// tissue's force goes from 36 to 44 N: there is no rest point. The probe then
-// stays within what one free step can move it.
+// tissue's force goes from 36 to 44 N: there is no rest point. The probe then stays within what one free step
+// can move it.
 TEST(PseudoHaptic, AJumpOfTheForceIsNoKick) {
   const Tissue tissue = [](double x) { return 9e3 * std::max(0.0, x) + (x > 4e-3 ? 8.0 : 0.0); };
   const auto depths = held_press(tissue);

@@ -3,14 +3,16 @@
 #include <string>
 #include <vector>
 
+#include "sim/compile/compile.hpp"
 #include "sim/compliance/cache.hpp"
-#include "sim/scene/model.hpp"
+#include "sim/model/model.hpp"
 #include "sim/scene/scene.hpp"
+#include "tests/support/places.hpp"
 
 namespace palpate::app::test {
 
 inline std::string palpation_scene() {
-  return std::string(PALPATE_SOURCE_DIR) + "/data/scenes/rectal-palpation.toml";
+  return palpate::test::source_folder() + "/data/scenes/rectal-palpation.toml";
 }
 
 /// The palpation with a contact model and the prostate's modulus, e.g. ("sibille", "5.0 MPa").

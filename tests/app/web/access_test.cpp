@@ -1,4 +1,4 @@
-#include "app/web/access.hpp"
+#include "app/web/server/access.hpp"
 
 #include <gtest/gtest.h>
 

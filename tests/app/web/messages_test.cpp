@@ -1,4 +1,4 @@
-#include "app/web/messages.hpp"
+#include "app/web/pages/examinee/messages.hpp"
 
 #include <gtest/gtest.h>
 

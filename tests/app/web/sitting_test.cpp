@@ -1,4 +1,4 @@
-#include "app/web/sitting.hpp"
+#include "app/web/pages/examinee/sitting.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -9,7 +9,8 @@
 #include <thread>
 
 #include "tests/app/support/palpation.hpp"
-#include "trials/study_file.hpp"
+#include "tests/support/places.hpp"
+#include "trials/study/study_file.hpp"
 
 namespace palpate::app {
 namespace {
@@ -23,7 +24,7 @@ class SittingTest : public testing::Test {
   SittingTest() {
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
-    protocol_ = trials::load_protocol(std::string(PALPATE_SOURCE_DIR) + "/tests/browser/short.toml");
+    protocol_ = trials::load_protocol(palpate::test::source_folder() + "/tests/browser/short.toml");
     study_.emplace(trials::open_study(folder_ / "study.db", protocol_, "test"));
     session_.emplace(trials::start_session(*study_, protocol_, facts()));
     sim::ComplianceCache cache("");

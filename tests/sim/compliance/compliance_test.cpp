@@ -150,19 +150,18 @@ TEST(Condense, DoesNotDependOnTheNumbersOfNodesAndElements) {
   std::iota(new_number.begin(), new_number.end(), 0);
   std::shuffle(new_number.begin(), new_number.end(), random);
   Case mixed = c;
-  for (std::size_t i = 0; i < new_number.size(); ++i)
-    mixed.mesh.nodes[static_cast<std::size_t>(new_number[i])] = c.mesh.nodes[i];
+  for (std::size_t i = 0; i < new_number.size(); ++i) mixed.mesh.nodes[new_number[i]] = c.mesh.nodes[i];
   for (Tetrahedron& t : mixed.mesh.tetrahedra)
-    for (int& node : t) node = new_number[static_cast<std::size_t>(node)];
+    for (int& node : t) node = new_number[node];
   std::shuffle(mixed.mesh.tetrahedra.begin(), mixed.mesh.tetrahedra.end(), random);
   for (std::vector<int>* nodes : {&mixed.fixed, &mixed.touch, &mixed.drawn}) {
-    for (int& node : *nodes) node = new_number[static_cast<std::size_t>(node)];
+    for (int& node : *nodes) node = new_number[node];
     std::sort(nodes->begin(), nodes->end());
   }
   std::vector<Eigen::Index> unknown;  // of each touch unknown of c, the one of the mixed body
   for (const int node : c.touch) {
     const auto& touch = mixed.touch;
-    const auto at = std::lower_bound(touch.begin(), touch.end(), new_number[static_cast<std::size_t>(node)]);
+    const auto at = std::lower_bound(touch.begin(), touch.end(), new_number[node]);
     for (int axis = 0; axis < 3; ++axis) unknown.push_back(3 * (at - touch.begin()) + axis);
   }
   const Eigen::MatrixXd C = condensed(c).touch_touch, other = condensed(mixed).touch_touch;

@@ -47,14 +47,14 @@ TEST(Kuroda, SharesTheOverlapInTheRatioOfTheResistances) {
     const double sum = share.polygon_force + share.node_force;
     const Vec3 u_temp = -pair.depth * pair.normal;
     const auto node = static_cast<std::size_t>(pair.node);
-    const Claims& claims = buffers.bodies[static_cast<std::size_t>(pair.node_body)].actual_claims;
+    const Claims& claims = buffers.bodies[pair.node_body].actual_claims;
     const double asked_of_node = share.polygon_force / sum * pair.depth;
     if (std::abs(std::sqrt(claims.squared[node]) - asked_of_node) > 1e-12 * pair.depth) continue;
     ++checked;
     EXPECT_LT((claims.displacement[node] + share.polygon_force / sum * u_temp).norm(), 1e-14 * pair.depth);
     // and the node is really there at the end of the cycle
-    const Eigen::VectorXd moved = scratch.displacement(pair.node_body) -
-                                  buffers.free_motion[static_cast<std::size_t>(pair.node_body)].displacement;
+    const Eigen::VectorXd moved =
+        scratch.displacement(pair.node_body) - buffers.free_motion[pair.node_body].displacement;
     EXPECT_LT((moved.segment<3>(3 * pair.node) - claims.displacement[node]).norm(), 1e-9 * pair.depth);
   }
   EXPECT_GE(checked, 3);
@@ -80,7 +80,7 @@ TEST(Kuroda, OneContactIsClosedExactlyAndSharedByTheRatio) {
   const auto a = static_cast<std::size_t>(pair.node_body), b = static_cast<std::size_t>(pair.polygon_body);
   const Vec3 u_a =
       (scratch.displacement(pair.node_body) - buffers.free_motion[a].displacement).segment<3>(3 * pair.node);
-  for (const int corner : model.bodies[b].polygons.triangles[static_cast<std::size_t>(pair.polygon)]) {
+  for (const int corner : model.bodies[b].polygons.triangles[pair.polygon]) {
     const Vec3 u_b = (scratch.displacement(pair.polygon_body) - buffers.free_motion[b].displacement)
                          .segment<3>(3 * corner);
     EXPECT_LT((u_b - u_a + pair.depth * pair.normal).norm(), 1e-9 * pair.depth);  // u_B - u_A = u_temp
@@ -125,9 +125,8 @@ TEST(Sibille, BringsEveryCollidingNodeToOnePlane) {
   Eigen::Matrix3Xd places(3, static_cast<Eigen::Index>(buffers.pairs.size()));
   for (std::size_t i = 0; i < buffers.pairs.size(); ++i) {
     const CollidingPair& pair = buffers.pairs[i];
-    places.col(static_cast<Eigen::Index>(i)) =
-        model.bodies[static_cast<std::size_t>(pair.node_body)].rest.col(pair.node) +
-        scratch.displacement(pair.node_body).segment<3>(3 * pair.node);
+    places.col(static_cast<Eigen::Index>(i)) = model.bodies[pair.node_body].rest.col(pair.node) +
+                                               scratch.displacement(pair.node_body).segment<3>(3 * pair.node);
   }
   const Eigen::Matrix3Xd centred = places.colwise() - places.rowwise().mean();
   const Eigen::Vector3d extents = centred.jacobiSvd().singularValues();

@@ -49,8 +49,7 @@ TEST_P(PrescribedAgainstDense, GivesTheSameForcesWhateverSetCameBefore) {
     Eigen::VectorXd asked(solve.rows());
     for (Eigen::Index i = 0; i < solve.probe_rows(); ++i) asked[i] = rows[0].value[i];
     for (std::size_t i = 0; i < nodes.size(); ++i)
-      asked.segment<3>(solve.probe_rows() + 3 * static_cast<Eigen::Index>(i)) =
-          values[static_cast<std::size_t>(nodes[i])];
+      asked.segment<3>(solve.probe_rows() + 3 * static_cast<Eigen::Index>(i)) = values[nodes[i]];
     const Eigen::VectorXd expected = dense_solution(model, nodes, asked, pressing);
     const Eigen::Map<const Eigen::VectorXd> found(multipliers.data(), solve.rows());
     EXPECT_LT((found - expected).norm(), 1e-10 * expected.norm());

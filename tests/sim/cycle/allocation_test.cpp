@@ -9,8 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "sim/compile/compile.hpp"
 #include "sim/compliance/cache.hpp"
 #include "sim/cycle/press.hpp"
+#include "tests/support/places.hpp"
 
 namespace {
 
@@ -72,7 +74,8 @@ TEST(AllocationCounter, SeesEveryWayToTheHeap) {
 // Down to full depth and back up, contacts coming and going, from the very first cycle on.
 TEST_P(Allocation, NoneInTheCycle) {
   ComplianceCache cache("");
-  const auto file = std::filesystem::path(PALPATE_SOURCE_DIR) / "data/scenes/rectal-palpation.toml";
+  const auto file =
+      std::filesystem::path(palpate::test::source_folder()) / "data/scenes/rectal-palpation.toml";
   const Model model = compile(load_scene(file, std::vector<Override>{{"contact.model", GetParam()}}), cache);
   std::vector<std::vector<ProbePose>> poses;
   for (int k = -10; k <= 100; ++k) poses.push_back(pose_at_depth(model, 6e-3 * k / 100));

@@ -59,8 +59,8 @@ TEST(Stiffness, OfTheUnitTetrahedronIsTheOneComputedByHand) {
                .region_names = {},
                .node_groups = {},
                .node_tags = {1, 2, 3, 4}};
-  // E = 1, nu = 0.25: lambda = mu = 0.4, V = 1/6, gradients (-1,-1,-1), e_x, e_y, e_z. With
-  // K_ab = V (lambda g_a g_b^T + mu g_b g_a^T + mu (g_a . g_b) I), times 6/0.4 = 15:
+  // E = 1, nu = 0.25: lambda = mu = 0.4, V = 1/6, gradients (-1,-1,-1), e_x, e_y, e_z. With K_ab = V (lambda
+  // g_a g_b^T + mu g_b g_a^T + mu (g_a . g_b) I), times 6/0.4 = 15:
   const Eigen::MatrixXd K = 15 * Eigen::MatrixXd(stiffness_of(mesh, {1.0, 0.25}));
   Eigen::Matrix3d K_00, K_11, K_12;
   K_00 << 5, 2, 2, 2, 5, 2, 2, 2, 5;

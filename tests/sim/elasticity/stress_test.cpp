@@ -52,7 +52,7 @@ TEST(VonMises, TakesEachRegionsMaterial) {
   mesh.region[2] = 0;
   const std::array<Material, 2> materials{kFat, Material{7 * kFat.young_modulus, 0.3}};
   Eigen::Matrix3Xd u(3, 8);
-  for (Eigen::Index i = 0; i < 8; ++i) u.col(i) = Vec3(mesh.nodes[static_cast<std::size_t>(i)].y(), 0, 0);
+  for (Eigen::Index i = 0; i < 8; ++i) u.col(i) = Vec3(mesh.nodes[i].y(), 0, 0);
   const Eigen::VectorXd stress = von_mises(mesh, materials, u);
   EXPECT_NEAR(stress[2] / stress[0], 7.0, 1e-12);
 }

@@ -43,8 +43,7 @@ std::string msh2(const TetMesh& mesh, bool swapped) {
   file.text("\n$EndNodes\n$Elements\n" + std::to_string(mesh.tetrahedra.size()) + "\n");
   for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {  // blocks of one element each, with three tags
     for (const int i : {4, 1, 3, static_cast<int>(t) + 1, 6, 1, 0}) file.put(static_cast<std::int32_t>(i));
-    for (const int node : mesh.tetrahedra[t])
-      file.put(static_cast<std::int32_t>(mesh.node_tags[static_cast<std::size_t>(node)]));
+    for (const int node : mesh.tetrahedra[t]) file.put(static_cast<std::int32_t>(mesh.node_tags[node]));
   }
   return file.text("\n$EndElements\n").bytes;
 }
@@ -87,8 +86,7 @@ std::string msh4(const TetMesh& mesh, bool swapped) {
   size(mesh.tetrahedra.size());
   for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
     size(t + 1);
-    for (const int node : mesh.tetrahedra[t])
-      size(static_cast<std::size_t>(mesh.node_tags[static_cast<std::size_t>(node)]));
+    for (const int node : mesh.tetrahedra[t]) size(static_cast<std::size_t>(mesh.node_tags[node]));
   }
   return file.text("\n$EndElements\n").bytes;
 }

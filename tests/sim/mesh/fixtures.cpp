@@ -11,11 +11,12 @@
 
 #include "sim/mesh/parse_mesh.hpp"
 #include "sim/mesh/surface.hpp"
+#include "tests/support/places.hpp"
 
 namespace palpate::sim::test {
 
 std::filesystem::path data_file(const std::string& name) {
-  return std::filesystem::path(PALPATE_SOURCE_DIR) / "tests/sim/mesh/data" / name;
+  return std::filesystem::path(palpate::test::source_folder()) / "tests/sim/mesh/data" / name;
 }
 
 std::string read_bytes(const std::filesystem::path& file) {
@@ -50,7 +51,7 @@ TetMesh cube_mesh(int n, double side) {
       std::array<int, 3> at = {cell % n, cell / n % n, cell / n / n};
       Tetrahedron t{node(at[0], at[1], at[2])};
       for (std::size_t i = 0; i < 3; ++i) {
-        ++at[static_cast<std::size_t>(kAxes[path][i])];
+        ++at[kAxes[path][i]];
         t[i + 1] = node(at[0], at[1], at[2]);
       }
       if (path >= 3) std::swap(t[2], t[3]);  // odd permutations of the axes turn the other way
@@ -68,8 +69,7 @@ std::string to_msh2(const TetMesh& mesh) {
   text += fmt::format("$EndNodes\n$Elements\n{}\n", mesh.tetrahedra.size());
   for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
     text += fmt::format("{} 4 2 0 1", t + 1);
-    for (const int node : mesh.tetrahedra[t])
-      text += fmt::format(" {}", mesh.node_tags[static_cast<std::size_t>(node)]);
+    for (const int node : mesh.tetrahedra[t]) text += fmt::format(" {}", mesh.node_tags[node]);
     text += "\n";
   }
   return text + "$EndElements\n";
@@ -93,7 +93,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 double enclosed_volume(const TetMesh& mesh) {
   double volume = 0.0;
   for (const Triangle& t : extract_surface(mesh).triangles) {
-    const auto at = [&](std::size_t i) -> const Vec3& { return mesh.nodes[static_cast<std::size_t>(t[i])]; };
+    const auto at = [&](std::size_t i) -> const Vec3& { return mesh.nodes[t[i]]; };
     volume += at(0).dot(at(1).cross(at(2))) / 6.0;
   }
   return volume;

@@ -35,7 +35,7 @@ TetMesh with_duplicates(double distance) {
   TetMesh cube = cube_mesh(1, 1.0);
   for (int& node : cube.tetrahedra.back()) {
     cube.node_groups["touch"].push_back(static_cast<int>(cube.nodes.size()));
-    cube.nodes.push_back(cube.nodes[static_cast<std::size_t>(node)] + Vec3(distance, 0, 0));
+    cube.nodes.push_back(cube.nodes[node] + Vec3(distance, 0, 0));
     cube.node_tags.push_back(static_cast<std::int64_t>(cube.nodes.size()));
     node = static_cast<int>(cube.nodes.size()) - 1;
   }

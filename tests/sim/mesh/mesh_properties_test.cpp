@@ -36,8 +36,8 @@ TetMesh permuted(const TetMesh& mesh, std::uint64_t seed) {
     place[from] = static_cast<int>(i);
   }
   for (std::size_t t = 0; t < tetrahedron_at.size(); ++t) {
-    out.tetrahedra[t] = mesh.tetrahedra[static_cast<std::size_t>(tetrahedron_at[t])];
-    for (int& node : out.tetrahedra[t]) node = place[static_cast<std::size_t>(node)];
+    out.tetrahedra[t] = mesh.tetrahedra[tetrahedron_at[t]];
+    for (int& node : out.tetrahedra[t]) node = place[node];
   }
   return out;
 }
@@ -47,7 +47,7 @@ std::set<std::array<std::int64_t, 3>> tagged_surface(const TetMesh& mesh) {
   std::set<std::array<std::int64_t, 3>> triangles;
   for (const Triangle& triangle : extract_surface(mesh).triangles) {
     std::array<std::int64_t, 3> tags{};
-    for (std::size_t i = 0; i < 3; ++i) tags[i] = mesh.node_tags[static_cast<std::size_t>(triangle[i])];
+    for (std::size_t i = 0; i < 3; ++i) tags[i] = mesh.node_tags[triangle[i]];
     std::rotate(tags.begin(), std::min_element(tags.begin(), tags.end()), tags.end());
     triangles.insert(tags);
   }
@@ -73,8 +73,7 @@ RC_GTEST_PROP(MeshProperties, NodesOfTheirOwnForEveryTetrahedronAreWeldedAgain, 
   std::uniform_real_distribution<double> jitter(-1e-11, 1e-11);  // the tolerance is 1.7e-10 m
   for (Tetrahedron& t : apart.tetrahedra)
     for (int& node : t) {
-      apart.nodes.push_back(cube.nodes[static_cast<std::size_t>(node)] +
-                            Vec3(jitter(random), jitter(random), jitter(random)));
+      apart.nodes.push_back(cube.nodes[node] + Vec3(jitter(random), jitter(random), jitter(random)));
       node = static_cast<int>(apart.nodes.size()) - 1;
       apart.node_tags.push_back(node + 1);
     }

@@ -6,6 +6,7 @@
 #include "sim/mesh/parse_mesh.hpp"
 #include "sim/mesh/quality.hpp"
 #include "tests/sim/mesh/fixtures.hpp"
+#include "tests/support/places.hpp"
 
 // Damaged files give a sound mesh or a refusal, and no other end: no crash, no other exception, no endless
 // reading.
@@ -74,8 +75,8 @@ TEST_P(DamagedMesh, WithPartsExchangedDoubledAndLeftOut) {
 // tests/fuzz/README.md.
 TEST(FuzzedMesh, KeptInputsEndWell) {
   int read = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(PALPATE_SOURCE_DIR) /
-                                                               "tests/fuzz/read_mesh")) {
+  for (const auto& entry : std::filesystem::directory_iterator(
+           std::filesystem::path(palpate::test::source_folder()) / "tests/fuzz/read_mesh")) {
     read_damaged(read_bytes(entry.path()), entry.path().string());
     ++read;
   }

@@ -22,7 +22,7 @@ template <class Wanted>
 std::vector<int> nodes_where(const TetMesh& mesh, Wanted wanted) {
   std::vector<int> nodes;
   for (int i = 0; i < static_cast<int>(mesh.nodes.size()); ++i)
-    if (wanted(mesh.nodes[static_cast<std::size_t>(i)])) nodes.push_back(i);
+    if (wanted(mesh.nodes[i])) nodes.push_back(i);
   return nodes;
 }
 
@@ -54,10 +54,9 @@ TEST_P(TwoBoxes, SplitsRegionsAtTheBoxesCommonFace) {
   const bool is_msh = GetParam().ends_with(".msh");
   for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
     double x = 0.0;
-    for (const int node : mesh.tetrahedra[t]) x += mesh.nodes[static_cast<std::size_t>(node)].x() / 4;
+    for (const int node : mesh.tetrahedra[t]) x += mesh.nodes[node].x() / 4;
     const std::string left = is_msh ? "all" : "none", right = is_msh ? "right" : "7";
-    const std::string region =
-        mesh.region[t] < 0 ? "none" : mesh.region_names[static_cast<std::size_t>(mesh.region[t])];
+    const std::string region = mesh.region[t] < 0 ? "none" : mesh.region_names[mesh.region[t]];
     EXPECT_EQ(region, x < 1.0 ? left : right) << "tetrahedron " << t;
   }
 }
@@ -96,7 +95,7 @@ TEST_P(MshGroups, AreKeptInEveryDimension) {
 TEST_P(MshGroups, KeepNodeTags) {
   const TetMesh mesh = read_mesh(data_file(GetParam()), 1.0).mesh;
   const auto at = std::find(mesh.node_tags.begin(), mesh.node_tags.end(), 11) - mesh.node_tags.begin();
-  EXPECT_EQ(mesh.nodes.at(static_cast<std::size_t>(at)), Vec3(2, 1, 1));  // "11 2 1 1" in the file
+  EXPECT_EQ(mesh.nodes.at(at), Vec3(2, 1, 1));  // "11 2 1 1" in the file
 }
 
 INSTANTIATE_TEST_SUITE_P(Versions, MshGroups,

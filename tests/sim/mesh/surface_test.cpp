@@ -22,7 +22,7 @@ TEST(Surface, OfACubeIsClosedAndSeenFromOutside) {
   std::map<std::pair<int, int>, int> sides;
   double area = 0.0;
   for (const Triangle& t : surface.triangles) {
-    const auto at = [&](std::size_t i) -> const Vec3& { return cube.nodes[static_cast<std::size_t>(t[i])]; };
+    const auto at = [&](std::size_t i) -> const Vec3& { return cube.nodes[t[i]]; };
     const Vec3 normal = (at(1) - at(0)).cross(at(2) - at(0));
     EXPECT_GT(normal.dot(at(0) - Vec3(1, 1, 1)), 0.0);  // the cube is convex: away from its centre
     area += normal.norm() / 2.0;

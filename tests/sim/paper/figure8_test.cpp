@@ -8,8 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "sim/compile/compile.hpp"
 #include "sim/compliance/cache.hpp"
 #include "sim/cycle/press.hpp"
+#include "tests/support/places.hpp"
 
 namespace palpate::sim {
 namespace {
@@ -26,7 +28,7 @@ const Overrides kHard{{"bodies.prostate.young_modulus", "5.0 MPa"}};
 Press pressed(const std::string& scene, Overrides condition, const char* law) {
   static ComplianceCache cache("");  // keeps what it has condensed
   condition.push_back({"contact.model", law});
-  const auto file = std::filesystem::path(PALPATE_SOURCE_DIR) / "data/scenes" / scene;
+  const auto file = std::filesystem::path(palpate::test::source_folder()) / "data/scenes" / scene;
   const Model model = compile(load_scene(file, condition), cache);
   return press(model, kDepth, kSteps);
 }

@@ -25,10 +25,7 @@ inline DrawnBody ball(const Eigen::Vector3f& centre, float radius, int levels) {
     std::map<std::pair<int, int>, int> middles;
     const auto middle = [&](int a, int b) {
       const auto [found, fresh] = middles.try_emplace(std::minmax(a, b), static_cast<int>(nodes.size()));
-      if (fresh)
-        nodes.push_back((nodes[static_cast<std::size_t>(a)].normalized() +
-                         nodes[static_cast<std::size_t>(b)].normalized()) /
-                        2);
+      if (fresh) nodes.push_back((nodes[a].normalized() + nodes[b].normalized()) / 2);
       return found->second;
     };
     std::vector<Triangle> finer;
@@ -41,7 +38,7 @@ inline DrawnBody ball(const Eigen::Vector3f& centre, float radius, int levels) {
   DrawnBody body{.name = "ball"};
   body.positions.resize(3, static_cast<Eigen::Index>(nodes.size()));
   for (Eigen::Index i = 0; i < body.positions.cols(); ++i)
-    body.positions.col(i) = centre + radius * nodes[static_cast<std::size_t>(i)].normalized();
+    body.positions.col(i) = centre + radius * nodes[i].normalized();
   body.triangles = std::move(triangles);
   body.colour = {0.8F, 0.2F, 0.2F};
   return body;

@@ -43,7 +43,7 @@ inline TetMesh box_mesh(int nx, int ny, int nz, const Vec3& size) {
           std::array<int, 3> corner{i, j, k};
           Tetrahedron tetrahedron{node(i, j, k)};
           for (std::size_t step = 0; step < 3; ++step) {
-            ++corner[static_cast<std::size_t>(paths[path][step])];
+            ++corner[paths[path][step]];
             tetrahedron[step + 1] = node(corner[0], corner[1], corner[2]);
           }
           if (path >= 3) std::swap(tetrahedron[1], tetrahedron[2]);
@@ -76,7 +76,7 @@ inline TetMesh shaken(TetMesh mesh, double amount, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> shift(-amount, amount);
   for (const int node : inner_nodes(mesh))
-    for (int axis = 0; axis < 3; ++axis) mesh.nodes[static_cast<std::size_t>(node)][axis] += shift(random);
+    for (int axis = 0; axis < 3; ++axis) mesh.nodes[node][axis] += shift(random);
   return mesh;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "sim/compile/compile.hpp"
 #include "sim/compliance/cache.hpp"
 #include "sim/mesh/write_msh.hpp"
 #include "tests/sim/support/box_mesh.hpp"

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "sim/scene/model.hpp"
+#include "sim/model/model.hpp"
 
 namespace palpate::sim::test {
 

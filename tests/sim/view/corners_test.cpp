@@ -28,11 +28,10 @@ TEST(CornerNormals, KeepTheEdgesOfABox) {
   const TetMesh box = test::box_mesh(2, 2, 2, Vec3(1, 1, 1));
   const std::vector<Triangle> triangles = extract_surface(box).triangles;
   Eigen::Matrix3Xf positions(3, static_cast<Eigen::Index>(box.nodes.size()));
-  for (Eigen::Index i = 0; i < positions.cols(); ++i)
-    positions.col(i) = box.nodes[static_cast<std::size_t>(i)].cast<float>();
+  for (Eigen::Index i = 0; i < positions.cols(); ++i) positions.col(i) = box.nodes[i].cast<float>();
   const Eigen::Matrix3Xf normals = corner_normals(positions, triangles);
   for (Eigen::Index t = 0; t < static_cast<Eigen::Index>(triangles.size()); ++t) {
-    const Triangle& triangle = triangles[static_cast<std::size_t>(t)];
+    const Triangle& triangle = triangles[t];
     const Eigen::Vector3f p = positions.col(triangle[0]);
     const Eigen::Vector3f face =
         (positions.col(triangle[1]) - p).cross(positions.col(triangle[2]) - p).normalized();

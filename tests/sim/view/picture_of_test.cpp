@@ -9,6 +9,7 @@
 
 #include "sim/cycle/press.hpp"
 #include "tests/sim/support/two_boxes.hpp"
+#include "tests/support/places.hpp"
 
 namespace palpate::sim {
 namespace {
@@ -19,7 +20,7 @@ using test::write_two_boxes;
 constexpr double kAspect = 4.0 / 3.0;
 
 Model palpation(const char* scene) {
-  return compile_scene(std::filesystem::path(PALPATE_SOURCE_DIR) / "data/scenes" / scene);
+  return compile_scene(std::filesystem::path(palpate::test::source_folder()) / "data/scenes" / scene);
 }
 
 Model rectal_palpation() {
@@ -51,8 +52,7 @@ TEST(PictureOf, HeldNodeGoesWithTheProbeAndFixedNodesStay) {
   const Picture picture = pressed(model, depth);
   const Probe& probe = model.probes.front();
   const auto pressed_body = static_cast<std::size_t>(probe.body);
-  const int held =
-      model.bodies[pressed_body].compliance->touch[static_cast<std::size_t>(probe.nodes.front())];
+  const int held = model.bodies[pressed_body].compliance->touch[probe.nodes.front()];
   const Vec3 expected = probe.at + depth * probe.direction;
   // 1e-5 of the depth: pictures are made in single precision
   EXPECT_LT((picture.bodies[pressed_body].positions.col(held).cast<double>() - expected).norm(),
@@ -60,8 +60,7 @@ TEST(PictureOf, HeldNodeGoesWithTheProbeAndFixedNodesStay) {
   EXPECT_LT((picture.probes.front().touch - expected).norm(), 1e-15);
   for (std::size_t b = 0; b < 2; ++b)
     for (const int node : model.bodies[b].fixed)
-      EXPECT_EQ(picture.bodies[b].positions.col(node),
-                model.bodies[b].mesh->nodes[static_cast<std::size_t>(node)].cast<float>());
+      EXPECT_EQ(picture.bodies[b].positions.col(node), model.bodies[b].mesh->nodes[node].cast<float>());
 }
 
 TEST(PictureOf, PressedBodyIsTranslucentWhileThereAreOthers) {
@@ -82,7 +81,7 @@ TEST(SetStage, EveryNodeIsInThePictureAndFillsIt) {
     double widest = 0.0;  // in half pictures
     for (const Body& body : model.bodies)
       for (const int node : body.surface->nodes) {
-        const Vec3 p = body.mesh->nodes[static_cast<std::size_t>(node)] - camera.eye;
+        const Vec3 p = body.mesh->nodes[node] - camera.eye;
         ASSERT_GT(-back.dot(p), 0.0);
         const double x = std::abs(right.dot(p)) / -back.dot(p) / (half * kAspect);
         const double y = std::abs(back.cross(right).dot(p)) / -back.dot(p) / half;
@@ -104,7 +103,7 @@ TEST(SetStage, ProbeIsHeldFromWhereNothingIsInItsWay) {
   EXPECT_GT(shape.length, 0.02);
   for (const Body& body : organs.bodies)
     for (const int node : body.surface->nodes) {
-      const Vec3 from_end = body.mesh->nodes[static_cast<std::size_t>(node)] - end;
+      const Vec3 from_end = body.mesh->nodes[node] - end;
       const Vec3 nearest = std::clamp(from_end.dot(shape.shaft), 0.0, shape.length) * shape.shaft;
       EXPECT_GE((from_end - nearest).norm(), 0.999 * shape.radius);
     }

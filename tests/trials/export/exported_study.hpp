@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/clock/utc.hpp"
 #include "tests/trials/support/protocols.hpp"
 #include "tests/trials/support/sitting.hpp"
 #include "trials/export/datasets.hpp"
@@ -34,7 +35,7 @@ class ExportedStudy : public testing::Test {
   TemporaryFolder folder_;
   Protocol protocol_ = small_protocol(2);
   StudyFile study_;
-  ExportFacts facts_{.authors = {"A. Author"}, .software_version = "0.1.0", .exported_utc = utc_now()};
+  ExportFacts facts_{.authors = {"A. Author"}, .software_version = "0.1.0", .exported_utc = base::utc_now()};
 };
 
 }  // namespace palpate::trials::test

@@ -3,15 +3,16 @@
 #include <string>
 #include <string_view>
 
-#include "sim/io/sha256.hpp"
+#include "base/files/sha256.hpp"
+#include "tests/support/places.hpp"
 #include "tests/trials/support/files.hpp"
-#include "trials/protocol.hpp"
+#include "trials/protocol/protocol.hpp"
 
 namespace palpate::trials::test {
 
 /// The shipped protocol's text, its scene named by an absolute path so that it can be read from anywhere.
 inline std::string shipped_text() {
-  const std::filesystem::path root = PALPATE_SOURCE_DIR;
+  const std::filesystem::path root = palpate::test::source_folder();
   std::string text = read(root / "protocols/kuroda2003.toml");
   const std::string relative = "../data/scenes/";
   text.replace(text.find(relative), relative.size(), (root / "data/scenes/").string());
@@ -32,7 +33,7 @@ inline Protocol small_protocol(int trials = 2) {
   Protocol protocol = parse_protocol(
       with(shipped_text(), "per_cell = 4", "per_cell = " + std::to_string(trials)), "small.toml");
   protocol.scene_text = "name = \"no scene\"\n";
-  protocol.files = {{"scene", "scene.toml", sim::sha256_hex(protocol.scene_text)}};
+  protocol.files = {{"scene", "scene.toml", base::sha256_hex(protocol.scene_text)}};
   return protocol;
 }
 

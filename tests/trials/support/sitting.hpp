@@ -1,6 +1,6 @@
 #pragma once
 
-#include "trials/session.hpp"
+#include "trials/session/session.hpp"
 
 namespace palpate::trials::test {
 

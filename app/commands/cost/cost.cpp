@@ -1,0 +1,223 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "app/command_line/output.hpp"
+#include "app/command_line/plot.hpp"
+#include "app/command_line/scene_options.hpp"
+#include "app/command_line/user_cache.hpp"
+#include "app/commands/commands.hpp"
+#include "base/machine/machine.hpp"
+#include "sim/compile/compile.hpp"
+#include "sim/cost/cycle_cost.hpp"
+
+namespace palpate::app {
+namespace {
+
+using nlohmann::ordered_json;
+
+struct CostOptions {
+  std::vector<std::string> scenes;
+  SceneOptions common{};  // of all scenes; its file is not used
+  std::string depth;
+  std::string plot;
+  std::string format;
+};
+
+struct SceneCost {
+  std::string scene;
+  int nodes = 0;      // of all bodies, as the paper's Fig. 5 counts them
+  int touchable = 0;  // of these
+  std::vector<sim::CycleCost> models;
+};
+
+// [Kuroda2003] sections 4 and 5.1, on one Pentium III of 933 MHz.
+constexpr double kPaperDeformation = 1170.0, kPaperInteraction = 1620.0, kPaperTotal = 2880.0;  // [us]
+constexpr int kPaperNodes = 642;                                                                // Table 1
+constexpr const char* kPaperSource =
+    "Kuroda et al. 2003, section 5.1, rectal palpation (Table 1), Pentium III 933 MHz";
+
+std::string versions() {
+  return fmt::format("palpate {}, GCC {}", PALPATE_VERSION, __VERSION__);
+}
+
+SceneCost measure(const CostOptions& options, const std::string& file, sim::ComplianceCache& cache) {
+  SceneOptions scene = options.common;
+  scene.file = file;
+  const sim::Model model = sim::compile(load_scene(scene), cache);
+  SceneCost cost{.scene = model.scene, .models = {}};
+  for (const sim::Body& body : model.bodies) {
+    cost.nodes += static_cast<int>(body.mesh->nodes.size());
+    cost.touchable += static_cast<int>(body.rest.cols());
+  }
+  sim::CostOptions how{.depth =
+                           options.depth.empty() ? model.probes.front().depth : parse_depth(options.depth)};
+  if (!(how.depth > 0.0))
+    throw std::invalid_argument(fmt::format("--depth {}: accepted: > 0", options.depth));
+  std::vector<sim::ContactModel> laws = {sim::ContactModel::None, sim::ContactModel::Sibille,
+                                         sim::ContactModel::Kuroda};
+  if (!options.common.model.empty()) laws = {model.law};
+  for (const sim::ContactModel law : laws) cost.models.push_back(sim::measure_cycle(model, law, how));
+  return cost;
+}
+
+void print_row(const std::string& model, const std::string& contacts, const char* what,
+               const sim::Spread& times) {
+  fmt::print("{:<9} {:>8}  {:<12} {:>9.2f} {:>9.2f} {:>9.2f} {:>9.2f}\n", model, contacts, what, times.median,
+             times.p99, times.p999, times.slowest);
+}
+
+void print_text(const std::vector<SceneCost>& costs) {
+  fmt::print("Time of one haptic cycle [microseconds]\n{}\n{}\n", base::describe_machine(), versions());
+  for (const SceneCost& scene : costs) {
+    const sim::CycleCost& first = scene.models.front();
+    fmt::print("\n{}: {} nodes, {} of them touchable; {} poses {:.3g} to {:.3g} mm deep, {}\n", scene.scene,
+               scene.nodes, scene.touchable, first.depths.size(), 1e3 * first.depths.front(),
+               1e3 * first.depths.back(), first.touching ? "bodies touching" : "no bodies touch");
+    fmt::print("{:<9} {:>8}  {:<12} {:>9} {:>9} {:>9} {:>9}\n", "model", "contacts", "", "median", "p99",
+               "p99.9", "slowest");
+    for (const sim::CycleCost& cost : scene.models) {
+      print_row(std::string(sim::to_string(cost.law)), std::to_string(cost.active), "deformation",
+                cost.deformation);
+      print_row("", "", "interaction", cost.interaction);
+      print_row("", "", "total", cost.total);
+      fmt::print(
+          "{:<20}{:.1f} times the limit: {:.3f} us to read the final contact set's compliance once ({:.1f} "
+          "kB)\n",
+          "", cost.total.median / cost.limit, cost.limit, 1e-3 * static_cast<double>(cost.limit_bytes));
+      fmt::print("{:<20}{} cycles, interrupted {} times by other programs\n", "", cost.cycles,
+                 cost.interruptions);
+    }
+  }
+  fmt::print("\nPublished: deformation {:.0f}, interaction {:.0f}, total {:.0f} us with {} nodes ({})\n",
+             kPaperDeformation, kPaperInteraction, kPaperTotal, kPaperNodes, kPaperSource);
+}
+
+ordered_json to_json(const sim::Spread& times) {
+  return {{"median", times.median}, {"p99", times.p99}, {"p99_9", times.p999}, {"slowest", times.slowest}};
+}
+
+ordered_json to_json(const sim::CycleCost& cost) {
+  return {{"model", std::string(sim::to_string(cost.law))},
+          {"touching", cost.touching},
+          {"active", cost.active},
+          {"cycles", cost.cycles},
+          {"interruptions", cost.interruptions},
+          {"deformation", to_json(cost.deformation)},
+          {"interaction", to_json(cost.interaction)},
+          {"total", to_json(cost.total)},
+          {"limit",
+           {{"time", cost.limit}, {"bytes", cost.limit_bytes}, {"ratio", cost.total.median / cost.limit}}},
+          {"depth", cost.depths},
+          {"total_median_at_depth", cost.depth_medians}};
+}
+
+void print_costs(const std::vector<SceneCost>& costs) {
+  ordered_json scenes = ordered_json::array();
+  for (const SceneCost& scene : costs) {
+    ordered_json models = ordered_json::array();
+    for (const sim::CycleCost& cost : scene.models) models.push_back(to_json(cost));
+    scenes.push_back({{"scene", scene.scene},
+                      {"nodes", scene.nodes},
+                      {"touchable_nodes", scene.touchable},
+                      {"models", models}});
+  }
+  const ordered_json result = {{"units", {{"time", "us"}, {"depth", "m"}}},
+                               {"machine", base::describe_machine()},
+                               {"versions", versions()},
+                               {"scenes", scenes},
+                               {"published",
+                                {{"source", kPaperSource},
+                                 {"nodes", kPaperNodes},
+                                 {"deformation", kPaperDeformation},
+                                 {"interaction", kPaperInteraction},
+                                 {"total", kPaperTotal}}}};
+  print_json(result);
+}
+
+/// Fig. 5: time over the number of nodes of all bodies, under the last model measured.
+Plot over_nodes(const std::vector<SceneCost>& costs) {
+  Plot plot{.title = fmt::format("One haptic cycle, contact model {}, bodies touching",
+                                 sim::to_string(costs.front().models.back().law)),
+            .note = fmt::format("median of all poses; {}; {}", base::describe_machine(), versions()),
+            .x_label = "nodes of all bodies",
+            .y_label = "time [us]",
+            .log_x = true,
+            .log_y = true,
+            .series = {{"total"},
+                       {"interaction"},
+                       {"deformation"},
+                       {"total, 99.9 %", {}, {}, true},
+                       {"limit: compliance read once", {}, {}, true}}};
+  for (const SceneCost& scene : costs) {
+    const sim::CycleCost& cost = scene.models.back();
+    const double times[] = {cost.total.median, cost.interaction.median, cost.deformation.median,
+                            cost.total.p999, cost.limit};
+    for (std::size_t i = 0; i < plot.series.size(); ++i) {
+      plot.series[i].x.push_back(scene.nodes);
+      plot.series[i].y.push_back(times[i]);
+    }
+  }
+  return plot;
+}
+
+/// One scene: time over the depth of the press, one curve a model.
+Plot over_depth(const SceneCost& scene) {
+  Plot plot{.title = fmt::format("One haptic cycle: {}, {} nodes", scene.scene, scene.nodes),
+            .note = fmt::format("median at each depth; {}; {}", base::describe_machine(), versions()),
+            .x_label = "depth [mm]",
+            .y_label = "time [us]"};
+  for (const sim::CycleCost& cost : scene.models) {
+    PlotSeries series{.name = std::string(sim::to_string(cost.law)), .y = cost.depth_medians};
+    for (const double depth : cost.depths) series.x.push_back(1e3 * depth);
+    plot.series.push_back(std::move(series));
+  }
+  return plot;
+}
+
+void run_cost(const CostOptions& options) {
+  if (!options.plot.empty()) check_plot_file(options.plot);
+  sim::ComplianceCache cache = user_cache();
+  std::vector<SceneCost> costs;
+  for (const std::string& file : options.scenes) costs.push_back(measure(options, file, cache));
+  if (options.format == "json")
+    print_costs(costs);
+  else
+    print_text(costs);
+  if (options.plot.empty()) return;
+  draw_plot(costs.size() == 1 ? over_depth(costs.front()) : over_nodes(costs), options.plot);
+  fmt::print(stderr, "wrote {}\n", options.plot);
+}
+
+}  // namespace
+
+void add_cost(CLI::App& app) {
+  auto options = std::make_shared<CostOptions>();
+  CLI::App* command = app.add_subcommand("cost", "What accuracy costs in time (Fig. 5)");
+  command->add_option("scenes", options->scenes, "Scene files (TOML), one or several")->required();
+  command->add_option("--model", options->common.model,
+                      "Only this contact model: none, sibille or kuroda (default: each)");
+  command
+      ->add_option("--set", options->common.set,
+                   "Replace an entry of every scene, e.g. bodies.prostate.young_modulus=\"5 MPa\"")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  command->add_option("--depth", options->depth,
+                      "How deep, with its unit (default: the probe's in the scene)");
+  command->add_option("--plot", options->plot,
+                      "Write a plot, .svg or .png: time over nodes for several scenes, over depth for one");
+  add_format(*command, options->format);
+  command->footer(
+      "Deformation is the body moved by the probes alone; interaction is detection and contact; the limit is "
+      "the\n"
+      "time to read once the compliance that the final contacts need. Measure on a quiet machine.\n"
+      "Example:\n  palpate cost data/scenes/sphere-on-cube-*.toml --model kuroda --plot fig5.svg");
+  command->callback([options] { run_cost(*options); });
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,73 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+
+#include "analysis/report/write_report.hpp"
+#include "app/command_line/output.hpp"
+#include "app/commands/commands.hpp"
+#include "app/study/simulation.hpp"
+#include "app/study/study_table.hpp"
+#include "base/clock/utc.hpp"
+#include "base/files/atomic_file.hpp"
+
+namespace palpate::app {
+namespace {
+
+struct DemoOptions {
+  std::string out = "palpate-demo";
+  int examinees = 15;
+  trials::Seed seed{};
+};
+
+/// `wanted`, or `wanted`-2, -3, ...: the first folder that is not there yet, so that no study is written
+/// over.
+std::filesystem::path fresh_folder(const std::filesystem::path& wanted) {
+  std::filesystem::path folder = wanted;
+  for (int number = 2; std::filesystem::exists(folder); ++number)
+    folder = fmt::format("{}-{}", wanted.string(), number);
+  std::filesystem::create_directories(folder);
+  return folder;
+}
+
+void run_demo(const DemoOptions& options) {
+  const std::filesystem::path observer = default_observer();
+  const std::filesystem::path protocol = observer.parent_path().parent_path() / "kuroda2003.toml";
+  const std::filesystem::path folder = fresh_folder(options.out);
+  const std::filesystem::path study = folder / "study.db", page = folder / "report.html";
+
+  fmt::print(stderr, "The study of Kuroda et al. 2003 with {} simulated examinees, in {}\n",
+             options.examinees, study.string());
+  const SimulationResult result = run_simulation(protocol, study, options.examinees, observer, options.seed);
+  const analysis::StudyReport report = analysis::analyse(read_study_table(trials::read_study(study)),
+                                                         {.run_mode = "simulated",
+                                                          .software_version = PALPATE_VERSION,
+                                                          .written_utc = base::utc_now(),
+                                                          .receipt = trials::to_string(result.receipt)});
+  base::write_atomically(page, analysis::html_report(report));
+  fmt::print("{}\n", analysis::text_report(report));
+  fmt::print("study    {}\nreport   {} (open it in a browser)\nreceipt  {}\n", study.string(), page.string(),
+             trials::to_string(result.receipt));
+}
+
+}  // namespace
+
+void add_demo(CLI::App& app) {
+  auto options = std::make_shared<DemoOptions>();
+  CLI::App* command =
+      app.add_subcommand("demo", "The 2003 study from start to report, with simulated examinees");
+  command
+      ->add_option("--out", options->out,
+                   "Folder for study file and report; a number is added where it exists")
+      ->capture_default_str();
+  command->add_option("--examinees", options->examinees, "How many")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  add_seed(*command, "Makes orders and answers repeatable; else the system's entropy",
+           [options](std::uint64_t seed) { options->seed = seed; });
+  command->footer("Example:\n  palpate demo --seed 1\nNo person takes part; every page says so.");
+  command->callback([options] { run_demo(*options); });
+}
+
+}  // namespace palpate::app

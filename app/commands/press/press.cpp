@@ -1,0 +1,123 @@
+#include "sim/cycle/press.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include "app/command_line/input_kind.hpp"
+#include "app/command_line/output.hpp"
+#include "app/command_line/plot.hpp"
+#include "app/command_line/scene_options.hpp"
+#include "app/command_line/user_cache.hpp"
+#include "app/commands/commands.hpp"
+#include "app/commands/press/press_output.hpp"
+#include "app/commands/press/press_study.hpp"
+#include "sim/compile/compile.hpp"
+#include "sim/elasticity/static_solve.hpp"
+#include "sim/elasticity/stress.hpp"
+#include "sim/mesh/write_vtu.hpp"
+
+namespace palpate::app {
+namespace {
+
+struct PressOptions {
+  SceneOptions scene{};
+  std::string depth;
+  int steps = 10;
+  std::string save;
+  std::string plot;
+  std::string format;
+};
+
+/// STATE.body.vtu for each body, every node moved by the uncondensed problem under the last step's loads.
+void save_state(const sim::Model& model, const sim::Press& press, const std::string& state) {
+  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+    const sim::Body& body = model.bodies[i];
+    Eigen::Matrix3Xd force = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(body.mesh->nodes.size()));
+    for (std::size_t t = 0; t < body.compliance->touch.size(); ++t)
+      force.col(body.compliance->touch[t]) =
+          press.loads.on_body[i].segment<3>(3 * static_cast<Eigen::Index>(t));
+    const auto stiffness = sim::stiffness(*body.mesh, body.materials);
+    const Eigen::Matrix3Xd u = sim::static_solve(stiffness, body.fixed, force);
+    sim::VtuFields fields;
+    fields.point_vectors = {{"displacement", u}, {"force", force}};
+    fields.cell_scalars = {{"von_mises", sim::von_mises(*body.mesh, body.materials, u)}};
+    const std::string file = fmt::format("{}.{}.vtu", state, body.name);
+    sim::write_vtu(file, *body.mesh, fields);
+    fmt::print(stderr, "wrote {}\n", file);
+  }
+}
+
+void press_scene(const PressOptions& options, std::optional<double> depth) {
+  sim::ComplianceCache cache = user_cache();
+  const sim::Model model = sim::compile(load_scene(options.scene), cache);
+  const sim::Press press = sim::press(model, depth.value_or(model.probes.front().depth), options.steps);
+  sim::require_solved(press);
+  if (options.format == "json")
+    print_json(press_json(model, press));
+  else
+    fmt::print("{}", press_text(model, press));
+  if (!options.save.empty()) save_state(model, press, options.save);
+  if (options.plot.empty()) return;
+  draw_plot({.title = fmt::format("{}, contact model {}", model.scene, sim::to_string(model.law)),
+             .x_label = "depth [mm]",
+             .y_label = "force [N]",
+             .series = {press_curve("force", model, press)}},
+            options.plot);
+  fmt::print(stderr, "wrote {}\n", options.plot);
+}
+
+void press_protocol(const PressOptions& options, std::optional<double> depth) {
+  if (!options.save.empty())
+    throw std::invalid_argument(
+        "--save belongs to a scene, and this is a protocol: there is no one state to save");
+  sim::ComplianceCache cache = user_cache();
+  const trials::Protocol protocol = trials::load_protocol(options.scene.file);
+  const std::vector<PressedStimulus> pressed = press_study(protocol, depth, options.steps, cache);
+  if (options.format == "json")
+    print_json(study_press_json(protocol, pressed));
+  else
+    fmt::print("{}", study_press_text(protocol, pressed));
+  if (options.plot.empty()) return;
+  draw_plot(study_press_plot(protocol, pressed), options.plot);
+  fmt::print(stderr, "wrote {}\n", options.plot);
+}
+
+void run_press(const PressOptions& options) {
+  if (!options.plot.empty()) check_plot_file(options.plot);
+  std::optional<double> depth;
+  if (!options.depth.empty()) depth = parse_depth(options.depth);
+  if (depth && !(*depth > 0.0))
+    throw std::invalid_argument(fmt::format("--depth {}: accepted: > 0", options.depth));
+  if (input_kind(options.scene) == InputKind::Scene) return press_scene(options, depth);
+  press_protocol(options, depth);
+}
+
+}  // namespace
+
+void add_press(CLI::App& app) {
+  auto options = std::make_shared<PressOptions>();
+  CLI::App* command = app.add_subcommand("press", "Force over depth of a press into a scene (Fig. 8)");
+  add_scene(*command, options->scene);
+  command->get_option("scene")->description("Scene, or protocol: each of its conditions in each cell (TOML)");
+  command->add_option("--depth", options->depth,
+                      "How deep, with its unit (default: the probe's depth in the scene)");
+  command->add_option("--steps", options->steps, "Equal steps from the surface to the depth")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  command->add_option("--save", options->save,
+                      "Write STATE.<body>.vtu with displacement, force and von Mises stress");
+  command->add_option("--plot", options->plot, "Write a plot of the force over the depth, .svg or .png");
+  add_format(*command, options->format);
+  command->footer(
+      "Example:\n  palpate press data/scenes/rectal-palpation.toml --model kuroda --depth \"5 mm\" "
+      "--set bodies.prostate.young_modulus=\"5 MPa\"\n"
+      "  palpate press protocols/kuroda2003.toml --steps 100 --plot fig8.svg");
+  command->callback([options] { run_press(*options); });
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,74 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+
+#include "app/command_line/scene_options.hpp"
+#include "app/command_line/user_cache.hpp"
+#include "app/commands/commands.hpp"
+#include "base/files/atomic_file.hpp"
+#include "sim/compile/compile.hpp"
+#include "sim/cycle/press.hpp"
+#include "sim/view/picture_of.hpp"
+#include "sim/view/renderer.hpp"
+
+namespace palpate::app {
+namespace {
+
+struct RenderOptions {
+  SceneOptions scene{};
+  std::filesystem::path out;
+  std::string depth = "0 mm";
+  int width = 960;
+  int height = 720;
+};
+
+/// Loads of the cycle that holds every probe at its pose.
+sim::Loads pressed(const sim::Model& model, sim::Pose pose) {
+  sim::Scratch scratch(model);
+  if (sim::cycle(model, {}, pose, scratch).solve.stop != sim::Stop::Converged)
+    throw std::runtime_error(
+        "the bodies' displacements could not be solved at this depth: no picture written");
+  return scratch.loads();
+}
+
+void run_render(const RenderOptions& options) {
+  if (options.out.extension() != ".png")
+    throw std::invalid_argument(
+        fmt::format("--out {}: accepted: a file name that ends in .png", options.out.string()));
+  const double depth = parse_depth(options.depth);
+  sim::ComplianceCache cache = user_cache();
+  const sim::Model model = sim::compile(load_scene(options.scene), cache);
+  const std::vector<sim::ProbePose> pose = sim::pose_at_depth(model, depth);
+  const sim::Stage stage = sim::set_stage(model, static_cast<double>(options.width) / options.height);
+  const sim::Picture picture = sim::picture_of(model, stage, pressed(model, pose), pose);
+  sim::Renderer renderer(options.width, options.height);
+  base::write_atomically(options.out, sim::encode_png(renderer.render(picture)));
+  fmt::print(stderr, "wrote {}: {}, contact model {}, depth {}; the bar is {:g} mm long\n",
+             options.out.string(), model.scene, sim::to_string(model.law), options.depth,
+             1e3 * stage.scale_bar);
+}
+
+}  // namespace
+
+void add_render(CLI::App& app) {
+  auto options = std::make_shared<RenderOptions>();
+  CLI::App* command = app.add_subcommand("render", "Picture of a scene, drawn off screen (Fig. 7)");
+  add_scene(*command, options->scene);
+  command->add_option("--out", options->out, "Picture to write, a PNG file")->required();
+  command->add_option("--depth", options->depth, "How deep every probe presses, with its unit")
+      ->capture_default_str();
+  command->add_option("--width", options->width, "[pixel]")
+      ->check(CLI::Range(16, 8192))
+      ->capture_default_str();
+  command->add_option("--height", options->height, "[pixel]")
+      ->check(CLI::Range(16, 8192))
+      ->capture_default_str();
+  command->footer(
+      "Example:\n  palpate render data/scenes/rectal-palpation.toml --depth \"5 mm\" --out pressed.png");
+  command->callback([options] { run_render(*options); });
+}
+
+}  // namespace palpate::app

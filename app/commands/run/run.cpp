@@ -1,0 +1,94 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+
+#include "app/command_line/user_cache.hpp"
+#include "app/commands/commands.hpp"
+#include "app/web/server/host.hpp"
+#include "base/machine/machine.hpp"
+#include "sim/compile/compile.hpp"
+#include "trials/protocol/protocol.hpp"
+#include "trials/session/session.hpp"
+#include "trials/study/study_file.hpp"
+
+namespace palpate::app {
+namespace {
+
+struct RunOptions {
+  std::string protocol, study, examinee, device;
+  bool pilot = false, practice = false, new_session = false, no_browser = false;
+  std::uint16_t port = 0;
+};
+
+trials::SessionFacts facts_of(const RunOptions& options) {
+  return {.examinee = options.examinee,
+          .run_mode = options.pilot      ? trials::RunMode::Pilot
+                      : options.practice ? trials::RunMode::Practice
+                                         : trials::RunMode::Study,
+          .software_version = PALPATE_VERSION,
+          .machine = base::describe_machine(),
+          .device = options.device,
+          .pseudo_haptic = true,
+          .channel = "pointer lag"};
+}
+
+Organs prepare_organs(const trials::Protocol& protocol) {
+  std::fputs("Preparing the organs...\n", stderr);
+  sim::ComplianceCache cache = user_cache();
+  return {.stimuli = trials::compile_stimuli(protocol, cache),
+          .practice = sim::compile(sim::load_scene(protocol.scene_file), cache)};
+}
+
+/// Everything that can fail is tried before the study file is touched.
+void run_run(const RunOptions& options) {
+  const trials::Protocol protocol = trials::load_protocol(options.protocol);
+  const trials::SessionFacts facts = facts_of(options);
+  trials::check_start(options.study, protocol, facts, options.new_session);
+  const Organs organs = prepare_organs(protocol);
+  Host host({.port = options.port, .open_browser = !options.no_browser});
+
+  trials::StudyFile study = trials::open_study(options.study, protocol, PALPATE_VERSION);
+  trials::Session session = trials::start_session(study, protocol, facts, options.new_session);
+  const int all = trials::trials_per_session(protocol);
+  if (session.view().resumed)
+    fmt::print(stderr, "{} has an unfinished session: it goes on, {} of {} questions are answered.\n",
+               options.examinee, static_cast<std::size_t>(all) - session.pending().size(), all);
+
+  const HostEnd end = host.lead(session, protocol, organs);
+  fmt::print("{}: {} of {} questions answered, all saved in {}\n", options.examinee,
+             static_cast<std::size_t>(all) - session.pending().size(), all, options.study);
+  fmt::print("receipt {}\n", trials::to_string(session.receipt()));
+  if (end == HostEnd::Complete) return;
+  fmt::print(stderr, "The session is paused; the same command takes it up again.\n");
+  throw Interrupted{};
+}
+
+}  // namespace
+
+void add_run(CLI::App& app) {
+  auto options = std::make_shared<RunOptions>();
+  CLI::App* command = app.add_subcommand("run", "Runs a session with a person, in the browser");
+  command->add_option("protocol", options->protocol, "Protocol file (.toml)")->required();
+  command->add_option("--study", options->study, "Study file; made if there is none")->required();
+  command->add_option("--examinee", options->examinee, "The examinee's code (never a name), e.g. P01")
+      ->required();
+  auto* pilot =
+      command->add_flag("--pilot", options->pilot, "A pilot: kept, and left out of the study's results");
+  command->add_flag("--practice", options->practice, "Practice: kept, and left out of the study's results")
+      ->excludes(pilot);
+  command->add_flag("--new-session", options->new_session, "Begin one more session of this examinee");
+  command->add_flag("--no-browser", options->no_browser, "Print the link and open nothing");
+  command->add_option("--device", options->device, "What presses; in this version a mouse")
+      ->check(CLI::IsMember({"mouse"}))
+      ->default_val("mouse");
+  command->add_option("--port", options->port, "Port on 127.0.0.1 (default: one that is free)");
+  command->footer(
+      "Without a haptic device the mouse presses: the session is pseudo-haptic and is marked so.\n"
+      "An unfinished session is taken up where it stopped.\n\n"
+      "Example:\n  palpate run protocols/kuroda2003.toml --study s.db --examinee P01");
+  command->callback([options] { run_run(*options); });
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,195 @@
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "analysis/procedures/merge_bootstrap.hpp"
+#include "analysis/procedures/procedure.hpp"
+#include "app/command_line/output.hpp"
+#include "app/commands/commands.hpp"
+#include "app/commands/stats/procedure_help.hpp"
+#include "app/commands/stats/read_csv.hpp"
+#include "app/commands/stats/stats_batch.hpp"
+#include "app/study/power_simulation.hpp"
+
+namespace palpate::app {
+namespace {
+
+using analysis::Data;
+using analysis::Input;
+using analysis::Procedure;
+
+// What stands behind the options of one procedure: texts, which read_arguments() reads.
+struct Asked {
+  std::map<std::string, std::string> texts;
+  std::map<std::string, bool> switches;
+  std::string file;
+  std::string format;
+};
+
+void add_input(CLI::App& command, Asked& asked, const Input& input) {
+  const std::string option = "--" + input.name;
+  if (input.kind == Input::Kind::Switch) {
+    command.add_flag(option, asked.switches[input.name], input.meaning);
+    return;
+  }
+  CLI::Option* added = command.add_option(option, asked.texts[input.name], input.meaning);
+  if (!input.choices.empty()) added->check(CLI::IsMember(input.choices));
+  if (input.usual) {
+    added->default_str(*input.usual);
+  } else if (!input.optional) {
+    added->required();
+  }
+}
+
+void run_stats(const Procedure& procedure, const CLI::App& command, const Asked& asked) {
+  nlohmann::json values = nlohmann::json::object();
+  for (const auto& [name, text] : asked.texts) {
+    if (command.count("--" + name) > 0) values[name] = text;
+  }
+  for (const auto& [name, on] : asked.switches) values[name] = on;
+  const analysis::Outcome outcome = procedure.run(analysis::read_arguments(
+      procedure, values, asked.file.empty() ? analysis::DataTable{} : read_csv(asked.file)));
+  if (asked.format == "json") {
+    print_json(outcome.json);
+  } else {
+    fmt::print("{}", outcome.text);
+  }
+}
+
+void add_procedure(CLI::App& stats, const Procedure& procedure) {
+  CLI::App* command = stats.add_subcommand(procedure.name, summary_of(procedure));
+  command->footer(teaching_of(procedure));
+  const auto asked = std::make_shared<Asked>();
+  if (procedure.data.shape != Data::Shape::None) {
+    CLI::Option* file = command->add_option("FILE", asked->file, "CSV file: " + procedure.data.meaning);
+    if (!procedure.data.optional) file->required();
+  }
+  for (const Input& input : procedure.inputs) add_input(*command, *asked, input);
+  add_format(*command, asked->format);
+  command->callback([&procedure, command, asked] { run_stats(procedure, *command, *asked); });
+}
+
+void add_list(CLI::App& stats) {
+  CLI::App* command = stats.add_subcommand("list", "Every procedure with its inputs and outputs");
+  command->footer("Example: the page that documents them\n  palpate stats list --format markdown\n");
+  const auto format = std::make_shared<std::string>();
+  command->add_option("--format", *format, "What to print")
+      ->check(CLI::IsMember({"text", "json", "markdown"}))
+      ->default_val("text");
+  command->callback([format] {
+    if (*format == "json") {
+      print_json(procedures_as_json());
+    } else {
+      fmt::print("{}", *format == "markdown" ? procedures_as_markdown() : procedures_as_text());
+    }
+  });
+}
+
+void add_batch(CLI::App& stats) {
+  CLI::App* command = stats.add_subcommand("batch", "Many procedures: JSON lines in, JSON lines out");
+  command->footer(
+      "Each line is an object: the procedure's name, its inputs by name, and its data as arrays or a CSV "
+      "file.\n"
+      "A line that cannot be answered gives a line with \"error\"; the others are answered all the same, and "
+      "the\n"
+      "exit code is 1. \"id\" is handed through.\n\n"
+      "Example:\n"
+      "  echo '{\"procedure\": \"binomial\", \"correct\": 37, \"trials\": 60}' | palpate stats batch\n");
+  const auto file = std::make_shared<std::string>("-");
+  command->add_option("FILE", *file, "JSON lines; - for standard input")->capture_default_str();
+  command->callback([file] { run_batch(*file); });
+}
+
+nlohmann::ordered_json read_part(const std::string& file) {
+  std::ifstream in(file);
+  if (!in) throw std::invalid_argument(file + ": cannot be opened: no such file, or no right to read it");
+  auto part = nlohmann::ordered_json::parse(in, nullptr, false);
+  if (part.is_object()) return part;
+  throw std::invalid_argument(file + ": no JSON object; accepted: what --shard K/N --format json printed");
+}
+
+bool is_power(const nlohmann::ordered_json& part) {
+  return part.contains("kind") && part["kind"] == "power simulation";
+}
+
+// Reads all that is needed of a part before any are joined: what is wrong is said with the file's name.
+nlohmann::ordered_json checked_part(const std::string& file) {
+  nlohmann::ordered_json part = read_part(file);
+  const auto refuse = [&file](const char* what) {
+    throw std::invalid_argument(
+        fmt::format("{}: {}; accepted: what --shard K/N --format json printed", file, what));
+  };
+  try {
+    if (is_power(part)) {
+      check_power_part(part);
+    } else {
+      analysis::check_bootstrap_part(part);
+    }
+  } catch (const nlohmann::json::exception& error) {
+    refuse(error.what());
+  } catch (const std::invalid_argument& error) {
+    refuse(error.what());
+  }
+  return part;
+}
+
+void merge(const std::vector<std::string>& files, const std::string& format) {
+  std::vector<nlohmann::ordered_json> parts;
+  parts.reserve(files.size());
+  for (const std::string& file : files) parts.push_back(checked_part(file));
+  if (std::ranges::any_of(parts, is_power) && !std::ranges::all_of(parts, is_power))
+    throw std::invalid_argument(
+        "parts of a power simulation and others; accepted: all parts of one computation");
+  analysis::Outcome whole;
+  if (is_power(parts.front())) {
+    whole.json = merge_power(parts);
+    whole.text = power_in_words(whole.json);
+  } else {
+    whole = analysis::merge_bootstrap(parts);
+  }
+  if (format == "json") {
+    print_json(whole.json);
+  } else {
+    fmt::print("{}", whole.text);
+  }
+}
+
+void add_merge_of_parts(CLI::App& stats) {
+  CLI::App* command = stats.add_subcommand("merge", "Joins the parts that --shard K/N computed");
+  command->footer(
+      "The result has the same bits as one run.\n\n"
+      "Example:\n"
+      "  palpate plan protocols/kuroda2003.toml --studies 100 --shard 1/2 --format json > part1.json\n"
+      "  palpate plan protocols/kuroda2003.toml --studies 100 --shard 2/2 --format json > part2.json\n"
+      "  palpate stats merge part1.json part2.json\n");
+  const auto files = std::make_shared<std::vector<std::string>>();
+  const auto format = std::make_shared<std::string>();
+  command->add_option("FILES", *files, "What each part printed with --format json")->required();
+  add_format(*command, *format);
+  command->callback([files, format] { merge(*files, *format); });
+}
+
+}  // namespace
+
+void add_stats(CLI::App& app) {
+  CLI::App* stats = app.add_subcommand("stats", "One statistical procedure on numbers or a CSV file");
+  stats->footer(
+      "Each procedure teaches when it applies: palpate stats binomial --help\n\n"
+      "Example:\n"
+      "  palpate stats binomial --correct 41 --trials 60 --chance 1/2 --side greater\n");
+  stats->require_subcommand(1);
+  for (const Procedure& procedure : analysis::procedures()) add_procedure(*stats, procedure);
+  add_batch(*stats);
+  add_list(*stats);
+  add_merge_of_parts(*stats);
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,141 @@
+#include "app/commands/stats/stats_batch.hpp"
+
+#include <fmt/core.h>
+
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <new>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <system_error>
+
+#include "analysis/procedures/procedure.hpp"
+#include "analysis/words.hpp"
+#include "app/command_line/output.hpp"
+#include "app/commands/stats/read_csv.hpp"
+
+namespace palpate::app {
+namespace {
+
+using nlohmann::ordered_json;
+
+std::string cell_text(const ordered_json& cell) {
+  return cell.is_string() ? cell.get<std::string>() : cell.dump();
+}
+
+// {"level": [1, 2], "correct": [3, 4]} as a table.
+analysis::DataTable table_of(const ordered_json& data) {
+  if (!data.is_object() || data.empty()) {
+    throw std::invalid_argument("data is " + data.dump().substr(0, 60) +
+                                "; accepted: an object with an array for each column");
+  }
+  analysis::DataTable table{.source = "data"};
+  for (const auto& item : data.items()) {
+    if (!item.value().is_array()) throw std::invalid_argument("data." + item.key() + " is no array");
+    std::vector<std::string> column;
+    for (const ordered_json& cell : item.value()) column.push_back(cell_text(cell));
+    if (!table.columns.empty() && column.size() != table.columns[0].size()) {
+      throw std::invalid_argument(fmt::format("data.{} has {} values, data.{} has {}", item.key(),
+                                              column.size(), table.names[0], table.columns[0].size()));
+    }
+    table.names.push_back(item.key());
+    table.columns.push_back(std::move(column));
+  }
+  for (std::size_t row = 0; row < table.columns[0].size(); ++row)
+    table.lines.push_back(static_cast<long>(row) + 1);
+  return table;
+}
+
+ordered_json parsed(const std::string& text) {
+  // What is deeper than any argument overflows the stack when it is written out.
+  static constexpr int kDeepest = 32;
+  return ordered_json::parse(text, [](int depth, ordered_json::parse_event_t, const ordered_json&) {
+    if (depth <= kDeepest) return true;
+    throw std::invalid_argument(fmt::format("brackets more than {} deep; accepted: fewer", kDeepest));
+  });
+}
+
+ordered_json answer(ordered_json asked) {
+  if (!asked.is_object()) throw std::invalid_argument("the line is no JSON object");
+  if (!asked.contains("procedure") || !asked["procedure"].is_string()) {
+    throw std::invalid_argument(
+        "\"procedure\" is missing; it names what to do, as in \"procedure\": \"binomial\"");
+  }
+  const analysis::Procedure& procedure = analysis::procedure_named(asked["procedure"].get<std::string>());
+  analysis::DataTable table;
+  if (asked.contains("data") && asked.contains("file")) {
+    throw std::invalid_argument("both \"data\" and \"file\"; one of them is accepted");
+  }
+  if (asked.contains("data")) table = table_of(asked["data"]);
+  if (asked.contains("file")) table = read_csv(asked["file"].get<std::string>());
+  ordered_json result;
+  if (asked.contains("id")) result["id"] = asked["id"];
+  for (const char* key : {"procedure", "data", "file", "id"}) asked.erase(key);
+  result.update(procedure.run(analysis::read_arguments(procedure, asked, std::move(table))).json);
+  return result;
+}
+
+// What is wrong with a line, in one line.
+ordered_json refusal(long line, const ordered_json& asked, const std::string& what) {
+  ordered_json result;
+  result["line"] = line;
+  if (asked.is_object() && asked.contains("id")) result["id"] = asked["id"];
+  result["error"] = what;
+  return result;
+}
+
+// Whatever is thrown over a line is said in its place: the next line is answered all the same.
+ordered_json answer_or_refusal(long line, const std::string& text) {
+  ordered_json asked;
+  try {
+    asked = parsed(text);
+    return answer(asked);
+  } catch (const nlohmann::json::exception& error) {
+    return refusal(line, asked, fmt::format("no JSON as expected: {}", error.what()));
+  } catch (const std::invalid_argument& error) {
+    return refusal(line, asked, error.what());
+  } catch (const std::bad_alloc&) {
+    return refusal(line, asked, "more memory is needed than there is");
+  } catch (const std::exception& error) {
+    return refusal(line, asked, fmt::format("cannot be computed: {}", error.what()));
+  }
+}
+
+long answer_all(std::istream& in, const std::string& source) {
+  std::string text;
+  long refused = 0;
+  for (long line = 1; std::getline(in, text); ++line) {
+    if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
+    const ordered_json result = answer_or_refusal(line, text);
+    if (result.contains("error")) ++refused;
+    fmt::print("{}\n", json_text(result, -1));
+    std::fflush(stdout);
+  }
+  if (in.bad()) throw std::system_error(std::make_error_code(std::errc::io_error), source);
+  return refused;
+}
+
+}  // namespace
+
+void run_batch(const std::string& file) {
+  long refused = 0;
+  if (file == "-") {
+    refused = answer_all(std::cin, "standard input");
+  } else {
+    if (std::filesystem::is_directory(file)) {
+      throw std::invalid_argument(file + " is a folder; a file of JSON lines is accepted");
+    }
+    std::ifstream in(file);
+    if (!in) throw std::invalid_argument(file + ": cannot be opened: no such file, or no right to read it");
+    refused = answer_all(in, file);
+  }
+  if (refused > 0) {
+    throw std::invalid_argument(analysis::counted(refused, "line", "lines") +
+                                " could not be answered; see \"error\" in the output");
+  }
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <vector>
+
+#include "analysis/report/primary_power.hpp"
+#include "analysis/statistics/binomial_power.hpp"
+#include "analysis/statistics/planned_looks.hpp"
+#include "trials/protocol/protocol.hpp"
+
+namespace palpate::app {
+
+/// Power of the planned study, and the examinees that it takes, for one true proportion correct.
+struct PowerRow {
+  double d_prime = 0.0;         // of an unbiased observer in 2IFC
+  analysis::Power alike{};      // were all examinees alike
+  analysis::Power differing{};  // with the overdispersion that was asked for
+  std::optional<analysis::SampleSize>
+      size{};  // of the binomial test without looks; balanced orders have none
+};
+
+/// What a protocol amounts to before anybody has sat it.
+struct StudyPlan {
+  trials::Protocol protocol{};
+  std::optional<analysis::CriticalNumber> critical{};  // at the end; empty where it depends on the answers
+  std::vector<analysis::PlannedLook> looks{};
+  double overdispersion = 0.0;
+  std::vector<PowerRow> rows{};
+};
+
+/// The plan without power: critical number and looks, which take no time.
+StudyPlan planned_regions(const trials::Protocol& protocol);
+
+/// @param overdispersion  gamma of the examinees' probabilities, 0 to 1
+StudyPlan study_plan(const trials::Protocol& protocol, double overdispersion);
+
+std::string in_words(const StudyPlan& plan);
+nlohmann::ordered_json to_json(const StudyPlan& plan);
+
+/// Writes the analysis plan (protocol, test, alpha, side, looks, sample, program version) into the study file
+/// as an event of its hash chain, and returns the SHA-256 of its text. Makes the study where there is none.
+/// Throws std::invalid_argument where a plan is frozen already, or people have answered already: a plan must
+/// come first.
+std::string freeze_plan(const trials::Protocol& protocol, const std::filesystem::path& study);
+
+}  // namespace palpate::app

@@ -1,0 +1,256 @@
+#include "app/study/study_table.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <tuple>
+
+#include "app/study/look_log.hpp"
+#include "base/files/sha256.hpp"
+
+namespace palpate::app {
+namespace {
+
+constexpr double kDepthStep = 0.00025;              // of the force curves [m]
+constexpr std::size_t kPresentationsOfCurve = 200;  // enough for a mean; each trace must be unpacked
+
+}  // namespace
+
+analysis::StudyDesign design_of(const trials::Protocol& protocol) {
+  analysis::StudyDesign design{
+      .protocol_name = protocol.name,
+      .protocol_sha256 = protocol.sha256,
+      .protocol_text = protocol.text,
+      .question = protocol.question,
+      .task = protocol.task,
+      .correct_condition = protocol.conditions[protocol.correct].name,
+      .trials_per_examinee_per_cell = protocol.trials_per_examinee_per_cell,
+      .planned_examinees = protocol.planned_examinees,
+      .procedure = protocol.procedure,
+      .cell_order = protocol.cell_order,
+      .interval_order = protocol.interval_order,
+      .least_presses = protocol.exploration.least_presses,
+      .most_presses = protocol.exploration.most_presses,
+      .min_depth_m = protocol.exploration.min_depth,
+      .max_time_s = protocol.exploration.max_time,
+      .display_during_interval = std::string(trials::to_string(protocol.during_interval)),
+      .primary = protocol.analysis.primary,
+      .alpha = protocol.analysis.alpha,
+      .side = protocol.analysis.side,
+      .between_models = protocol.analysis.between_models.value_or("none"),
+      .looks = protocol.analysis.looks,
+      .spending = protocol.analysis.spending};
+  for (const std::size_t condition : protocol.pair)
+    design.conditions.push_back(protocol.conditions[condition].name);
+  for (const trials::Factor& factor : protocol.factors) design.factors.push_back(factor.key);
+  for (const trials::Cell& cell : protocol.cells) {
+    analysis::Cell row{.name = cell.name};
+    for (std::size_t f = 0; f < cell.levels.size(); ++f)
+      row.levels.push_back(protocol.factors[f].levels[cell.levels[f]]);
+    design.cells.push_back(row);
+  }
+  return design;
+}
+
+namespace {
+
+analysis::SessionRow session_of(const std::string& protocol_sha256, const trials::SessionRow& session) {
+  const trials::SessionFacts& facts = session.facts;
+  return {.session = session.number,
+          .examinee = facts.examinee,
+          .run_mode = std::string(trials::to_string(facts.run_mode)),
+          .protocol_sha256 = protocol_sha256,  // a study file holds one protocol
+          .software_version = facts.software_version,
+          .device = facts.device,
+          .channel = facts.channel,
+          .order_source = facts.seed ? fmt::format("seed {}", *facts.seed) : "operating system",
+          .started_utc = session.started_utc,
+          .pseudo_haptic = facts.pseudo_haptic,
+          .finished = session.ended_utc.has_value(),
+          .force_scale = facts.force_scale,
+          .times_resumed = session.times_resumed};
+}
+
+analysis::IntervalRow interval_of(const trials::PresentationRow& presentation) {
+  analysis::IntervalRow row{.interval = presentation.interval,
+                            .condition = presentation.condition,
+                            .n_presses = presentation.exploration.presses,
+                            .exploration_time_s = presentation.exploration.time,
+                            .peak_force_n = presentation.exploration.peak_force,
+                            .max_depth_m = presentation.exploration.max_depth,
+                            .clamped_fraction = presentation.clamped_fraction};
+  if (presentation.loop) {
+    row.loop_rate_hz = presentation.loop->rate_hz;
+    row.loop_p999_ms = presentation.loop->p999_ms;
+    row.missed_cycles = presentation.loop->missed_cycles;
+  }
+  return row;
+}
+
+using TrialKey = std::pair<int, int>;  // number of the trial, draw
+
+// The presentations that an answer was given to: the last of each interval, in the order of the intervals.
+std::map<TrialKey, std::vector<trials::PresentationRow>> answered_presentations(
+    const std::vector<trials::PresentationRow>& presentations) {
+  std::map<TrialKey, std::map<int, trials::PresentationRow>> last;
+  for (const trials::PresentationRow& presentation : presentations) {
+    if (presentation.complete)
+      last[{presentation.trial, presentation.draw}][presentation.interval] = presentation;
+  }
+  std::map<TrialKey, std::vector<trials::PresentationRow>> answered;
+  for (auto& [trial, intervals] : last) {
+    for (auto& [interval, presentation] : intervals) answered[trial].push_back(std::move(presentation));
+  }
+  return answered;
+}
+
+// What a force curve is averaged from.
+struct Stimulus {
+  std::string run_mode{};
+  std::size_t cell = 0;
+  std::string condition{};
+  bool operator<(const Stimulus& other) const {
+    return std::tie(run_mode, cell, condition) < std::tie(other.run_mode, other.cell, other.condition);
+  }
+};
+using Presented = std::map<Stimulus, std::vector<std::int64_t>>;  // ids of presentations
+
+using Voided = std::map<std::pair<std::int64_t, int>, std::string>;  // session and trial: the reason
+
+void add_session(const trials::StudyFile& study, const trials::SessionRow& session, const Voided& voided,
+                 analysis::StudyTable& table, Presented& presented) {
+  std::map<TrialKey, trials::Trial> drawn;
+  for (const trials::DrawnTrial& trial : study.trials(session.id))
+    drawn[{trial.trial.number, trial.draw}] = trial.trial;
+  const auto presentations = answered_presentations(study.presentations(session.id));
+  const std::string run_mode(trials::to_string(session.facts.run_mode));
+  for (const trials::AnswerRow& answer : study.answers(session.id)) {
+    const TrialKey key{answer.trial, answer.draw};
+    const trials::Trial& trial = drawn.at(key);
+    analysis::TrialRow row{.session = table.sessions.size(),
+                           .cell = trial.cell,
+                           .block = trial.block,
+                           .trial = trial.number,
+                           .correct_answer = std::to_string(trial.correct_interval),
+                           .response = std::to_string(answer.response),
+                           .correct = answer.correct,
+                           .response_time_s = answer.response_time,
+                           .answered_utc = answer.committed_utc};
+    const auto reason = voided.find({session.id, answer.trial});
+    row.voided = reason != voided.end();
+    if (row.voided) row.void_reason = reason->second;
+    if (const auto found = presentations.find(key); found != presentations.end()) {
+      for (const trials::PresentationRow& presentation : found->second) {
+        row.intervals.push_back(interval_of(presentation));
+        if (!row.voided) presented[{run_mode, trial.cell, presentation.condition}].push_back(presentation.id);
+      }
+    }
+    table.trials.push_back(std::move(row));
+  }
+  table.sessions.push_back(session_of(table.design.protocol_sha256, session));
+}
+
+// Mean and standard deviation at the depths that at least half of the presentations reached: further in, the
+// mean would be that of those who press hardest.
+analysis::ForceCurve curve_of(const trials::StudyFile& study, const Stimulus& stimulus,
+                              const std::vector<std::int64_t>& ids) {
+  const std::size_t taken = std::min(ids.size(), kPresentationsOfCurve);
+  analysis::ForceCurve curve{.cell = stimulus.cell,
+                             .condition = stimulus.condition,
+                             .run_mode = stimulus.run_mode,
+                             .intervals = taken};
+  std::vector<std::vector<double>> at_depth;
+  for (std::size_t i = 0; i < taken; ++i) {
+    const std::vector<double> forces = force_at_depths(study.load_trace(ids[i * ids.size() / taken]));
+    if (at_depth.size() < forces.size()) at_depth.resize(forces.size());
+    for (std::size_t d = 0; d < forces.size(); ++d) {
+      if (!std::isnan(forces[d])) at_depth[d].push_back(forces[d]);
+    }
+  }
+  for (std::size_t d = 0; d < at_depth.size(); ++d) {
+    const std::vector<double>& forces = at_depth[d];
+    if (forces.empty() || 2 * forces.size() < taken) continue;
+    const double n = static_cast<double>(forces.size());
+    double mean = 0.0, squares = 0.0;
+    for (const double force : forces) mean += force / n;
+    for (const double force : forces) squares += (force - mean) * (force - mean);
+    curve.depth_m.push_back(kDepthStep * static_cast<double>(d));
+    curve.mean_force_n.push_back(mean);
+    curve.deviation_n.push_back(forces.size() > 1 ? std::sqrt(squares / (n - 1)) : 0.0);
+  }
+  return curve;
+}
+
+}  // namespace
+
+std::vector<double> force_at_depths(const trials::Trace& trace) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> sums, counts;
+  const auto magnitude = [](const trials::TraceSample& sample) {
+    return std::hypot(static_cast<double>(sample.force[0]), static_cast<double>(sample.force[1]),
+                      static_cast<double>(sample.force[2]));
+  };
+  for (std::size_t i = 1; i < trace.size(); ++i) {
+    const double before = static_cast<double>(trace[i - 1].depth),
+                 after = static_cast<double>(trace[i].depth);
+    if (!(after > before) || after <= 0) continue;
+    for (double d = std::max(0.0, std::ceil(before / kDepthStep)); d * kDepthStep < after; ++d) {
+      const double share = (d * kDepthStep - before) / (after - before);
+      const auto index = static_cast<std::size_t>(d);
+      if (index >= sums.size()) sums.resize(index + 1, 0.0), counts.resize(index + 1, 0.0);
+      sums[index] += (1 - share) * magnitude(trace[i - 1]) + share * magnitude(trace[i]);
+      ++counts[index];
+    }
+  }
+  for (std::size_t d = 0; d < sums.size(); ++d) sums[d] = counts[d] > 0 ? sums[d] / counts[d] : kNone;
+  return sums;
+}
+
+namespace {
+
+analysis::FrozenPlan frozen_plan_of(const trials::EventRow& event) {
+  const auto plan = nlohmann::json::parse(event.text, nullptr, false);
+  const auto text = [&](const char* key) { return plan.is_object() ? plan.value(key, "") : std::string(); };
+  return {.sha256 = base::sha256_hex(event.text),
+          .frozen_utc = event.utc,
+          .software_version = text("software_version")};
+}
+
+}  // namespace
+
+analysis::StudyTable read_study_table(const trials::StudyFile& study, bool curves) {
+  const trials::Protocol& protocol = study.protocol();
+  analysis::StudyTable table{.design = design_of(protocol)};
+  Voided voided;
+  for (const trials::EventRow& event : study.events()) {
+    if (event.kind == trials::event_kind::kVoided && event.session && event.trial) {
+      voided[{*event.session, *event.trial}] = event.text;
+    }
+    if (event.kind == kPlanFrozen) table.frozen_plan = frozen_plan_of(event);
+    if (const auto look = look_of(event)) table.looks.push_back(*look);
+  }
+  for (const trials::MergedPart& part : trials::merged_parts(study.events()))
+    table.notes.push_back(fmt::format("Joined from the study file {}{}: {} sittings, receipt {}.", part.file,
+                                      part.site.empty() ? "" : " of the site " + part.site, part.sessions,
+                                      trials::to_string(part.receipt)));
+  Presented presented;
+  for (const trials::SessionRow& session : study.sessions())
+    add_session(study, session, voided, table, presented);
+  if (!curves) return table;
+  const std::vector<std::string>& order = table.design.conditions;
+  for (const auto& [stimulus, ids] : presented) table.curves.push_back(curve_of(study, stimulus, ids));
+  const auto place = [&](const std::string& condition) {
+    return std::ranges::find(order, condition) - order.begin();
+  };
+  std::ranges::stable_sort(table.curves, [&](const auto& a, const auto& b) {
+    return std::pair(a.cell, place(a.condition)) < std::pair(b.cell, place(b.condition));
+  });
+  return table;
+}
+
+}  // namespace palpate::app

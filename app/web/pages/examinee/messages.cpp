@@ -1,0 +1,91 @@
+#include "app/web/pages/examinee/messages.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+namespace palpate::app {
+namespace {
+
+constexpr unsigned char kHand = 1, kProbe = 2, kFrame = 3;
+constexpr std::size_t kBinarySize = 12;
+constexpr std::size_t kLongestText = 8000;  // of a strategy [byte]
+
+template <typename Integer>
+void put(std::string& bytes, std::size_t at, Integer value) {
+  std::memcpy(bytes.data() + at, &value, sizeof value);  // little-endian, as study files are
+}
+
+template <typename Integer>
+Integer get(std::string_view bytes, std::size_t at) {
+  Integer value{};
+  std::memcpy(&value, bytes.data() + at, sizeof value);
+  return value;
+}
+
+std::optional<ReplyKind> kind_of(const std::string& type) {
+  if (type == "continue") return ReplyKind::Continue;
+  if (type == "finish") return ReplyKind::Finish;
+  if (type == "answer") return ReplyKind::Answer;
+  if (type == "early") return ReplyKind::Early;
+  if (type == "strategy") return ReplyKind::Strategy;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string encode(const PhaseMessage& message) {
+  const nlohmann::ordered_json json = {{"type", "phase"},
+                                       {"id", message.id},
+                                       {"phase", message.phase},
+                                       {"interval", message.interval},
+                                       {"intervals", message.intervals},
+                                       {"block", message.block},
+                                       {"blocks", message.blocks},
+                                       {"question", message.question},
+                                       {"run_mode", message.run_mode},
+                                       {"pseudo_haptic", message.pseudo_haptic},
+                                       {"picture", message.picture},
+                                       {"notice", message.notice},
+                                       {"presses", message.presses}};
+  return json.dump();
+}
+
+std::string encode_probe(const IntervalState& state, std::uint32_t sequence) {
+  std::string bytes(kBinarySize, '\0');
+  bytes[0] = static_cast<char>(kProbe);
+  bytes[1] = static_cast<char>((state.begun ? 1 : 0) | (state.may_finish ? 2 : 0) | (state.over ? 4 : 0));
+  put(bytes, 4, sequence);
+  put(bytes, 8, static_cast<std::int32_t>(std::lround(std::clamp(state.depth, -1.0, 1.0) * 1e6)));
+  return bytes;
+}
+
+std::string encode_frame(std::string_view jpeg) {
+  std::string bytes(1, static_cast<char>(kFrame));
+  return bytes.append(jpeg);
+}
+
+std::optional<HandMessage> parse_hand(std::string_view bytes) {
+  if (bytes.size() != kBinarySize || static_cast<unsigned char>(bytes[0]) != kHand) return std::nullopt;
+  return HandMessage{.id = get<std::uint32_t>(bytes, 4), .depth = get<std::int32_t>(bytes, 8) * 1e-6};
+}
+
+std::optional<Reply> parse_reply(std::string_view text) try {
+  const auto json = nlohmann::json::parse(text);
+  const auto kind = kind_of(json.at("type").get<std::string>());
+  if (!kind) return std::nullopt;
+  Reply reply{.kind = *kind, .id = json.at("id").get<std::uint32_t>()};
+  if (reply.kind == ReplyKind::Answer) {
+    reply.choice = json.at("choice").get<int>();
+    reply.milliseconds = json.at("ms").get<double>();
+  }
+  if (reply.kind == ReplyKind::Early) reply.text = json.at("key").get<std::string>();
+  if (reply.kind == ReplyKind::Strategy) reply.text = json.at("text").get<std::string>();
+  if (reply.text.size() > kLongestText) return std::nullopt;
+  return reply;
+} catch (const nlohmann::json::exception&) {
+  return std::nullopt;
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,316 @@
+#include "app/web/pages/examinee/sitting.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "base/clock/utc.hpp"
+
+namespace palpate::app {
+namespace {
+
+using namespace std::chrono_literals;
+
+// From the end of an interval until the page hears what comes next: longer than the disk needs, so that the
+// moment tells nothing about what was stored.
+constexpr auto kOutcomeAfter = 250ms;
+constexpr auto kPause = std::chrono::milliseconds(static_cast<int>(1000 * trials::kPauseBetweenIntervals));
+constexpr int kMostEarlyKeys = 1000;  // noted in one sitting; more than that is a book on the keyboard
+
+constexpr std::string_view kPageClosed = "the page was closed or its connection was lost";
+
+IntervalLimits limits_of(const trials::Exploration& rule) {
+  return {.least_presses = rule.least_presses,
+          .most_presses = rule.most_presses,
+          .min_depth = rule.min_depth,
+          .max_time = rule.max_time};
+}
+
+std::string times(int count) {
+  return count == 1 ? "once" : fmt::format("{} times", count);
+}
+
+std::string advice(trials::Verdict verdict, const trials::Exploration& rule) {
+  switch (verdict) {
+    case trials::Verdict::TooFewPresses:
+      return fmt::format("This interval needs a press that goes in and out, at least {}.",
+                         times(rule.least_presses));
+    case trials::Verdict::TooManyPresses:
+      return fmt::format("In this interval you may press at most {}.", times(rule.most_presses));
+    case trials::Verdict::TooShallow:
+      return "Please press a little deeper: move the mouse further down.";
+    case trials::Verdict::Enough:
+      return {};
+  }
+  return {};
+}
+
+}  // namespace
+
+Sitting::Sitting(trials::Session& session, const trials::Protocol& protocol, const Organs& organs,
+                 HapticLoop& loop, FrameStream* frames, Outlets outlets)
+    : session_(session),
+      protocol_(protocol),
+      organs_(organs),
+      loop_(loop),
+      frames_(frames),
+      outlets_(std::move(outlets)) {
+  if (session_.view().resumed)
+    notice_ = "Welcome back. Your earlier answers are saved, and we go on from there.";
+  if (complete()) stage_ = Stage::Thanks;
+}
+
+Sitting::~Sitting() {
+  release_engine();
+}
+
+bool Sitting::complete() const {
+  return session_.phase() == trials::Phase::Finished;
+}
+
+// ---- What is shown ----
+
+std::string_view Sitting::phase_name() const {
+  switch (stage_) {
+    case Stage::Welcome:
+      return "welcome";
+    case Stage::Gesture:
+      return "gesture";
+    case Stage::Trial:
+      return trials::to_string(session_.phase());
+    case Stage::Again:
+      return "again";
+    case Stage::Thanks:
+      return "thanks";
+    case Stage::End:
+      return "end";
+    case Stage::Fault:
+      return "fault";
+  }
+  return "";
+}
+
+PhaseMessage Sitting::message() const {
+  const trials::SessionView view = session_.view();
+  const bool in_interval = stage_ == Stage::Trial && view.phase == trials::Phase::Interval;
+  const bool organs = protocol_.during_interval == trials::DuringInterval::Organs;
+  return {.id = id_,
+          .phase = phase_name(),
+          .interval = view.interval,
+          .intervals = view.intervals,
+          .block = view.block,
+          .blocks = view.blocks,
+          .question = view.question,
+          .run_mode = trials::to_string(view.run_mode),
+          .pseudo_haptic = view.pseudo_haptic,
+          .picture = frames_ != nullptr && (stage_ == Stage::Gesture || (in_interval && organs)),
+          .notice = notice_,
+          .presses = {protocol_.exploration.least_presses, protocol_.exploration.most_presses}};
+}
+
+void Sitting::show() {
+  ++id_;
+  shown_ = Clock::now();
+  if (connected_) outlets_.text(encode(message()));
+}
+
+void Sitting::enter(Stage stage) {
+  release_engine();
+  next_ = Next::Nothing;
+  stage_ = stage;
+  if (stage == Stage::Gesture && connected_) run_engine(organs_.practice, {});
+  show();
+}
+
+void Sitting::schedule(Next next, std::chrono::milliseconds after) {
+  next_ = next;
+  due_ = Clock::now() + after;
+}
+
+// ---- The page comes and goes ----
+
+void Sitting::page_opened() {
+  connected_ = true;
+  outlets_.technician("The examinee's page is open.");
+  enter(stage_);
+}
+
+void Sitting::page_closed() {
+  connected_ = false;
+  interrupt(kPageClosed);
+  if (stage_ != Stage::End)
+    outlets_.technician("The examinee's page is closed; open the link again to go on.");
+}
+
+void Sitting::interrupt(std::string_view reason) {
+  next_ = Next::Nothing;
+  const trials::Phase phase = session_.phase();
+  if (phase == trials::Phase::Ready || phase == trials::Phase::Finished) {
+    release_engine();
+    return;
+  }
+  session_.interrupt(release_record(), reason);
+  stage_ = Stage::Trial;
+  notice_ = "There was an interruption. Your answers are saved, and this question starts anew.";
+}
+
+// ---- Intervals ----
+
+void Sitting::run_engine(const sim::Model& model, const IntervalLimits& limits) {
+  release_engine();
+  engine_ = std::make_unique<IntervalEngine>(model, limits);
+  loop_.forget_hand();
+  loop_.run(*engine_);
+  const bool organs = protocol_.during_interval == trials::DuringInterval::Organs;
+  if (frames_ != nullptr && (stage_ == Stage::Gesture || organs)) frames_->show(&model);
+}
+
+/// The engine stays until the next one is made, for its trace.
+trials::LoopTiming Sitting::release_engine() {
+  if (frames_ != nullptr) frames_->show(nullptr);
+  return loop_.stop();
+}
+
+trials::IntervalRecord Sitting::release_record() {
+  const trials::LoopTiming timing = release_engine();
+  trials::IntervalRecord record{.onset_utc = onset_utc_};
+  if (!engine_) return record;
+  record.trace = engine_->trace();
+  if (timing.rate_hz > 0) record.loop = timing;
+  return record;
+}
+
+void Sitting::begin_interval() {
+  const sim::Model& model = *organs_.stimuli.at(session_.stimulus());
+  session_.begin_interval();
+  notice_.clear();
+  stage_ = Stage::Trial;
+  onset_utc_ = base::utc_now();
+  run_engine(model, limits_of(protocol_.exploration));
+  show();
+}
+
+void Sitting::end_interval() {
+  const trials::Verdict verdict = session_.end_interval(release_record());
+  notice_ = advice(verdict, protocol_.exploration);
+  schedule(Next::Outcome, kOutcomeAfter);
+}
+
+void Sitting::show_outcome() {
+  if (!notice_.empty()) return enter(Stage::Again);
+  enter(Stage::Trial);
+  if (session_.phase() == trials::Phase::Pause) schedule(Next::Interval, kPause);
+  if (session_.phase() == trials::Phase::Question) onset_utc_ = base::utc_now();
+}
+
+void Sitting::report_fault() {
+  outlets_.technician(
+      "The input was no position that a hand can have. The force is off and the session waits: see to the "
+      "device, then let the examinee go on.");
+  interrupt("fault: the input was no number");
+  notice_.clear();
+  enter(Stage::Fault);
+}
+
+void Sitting::poll(Clock::time_point now) {
+  if (next_ != Next::Nothing && now >= due_) {
+    const Next next = std::exchange(next_, Next::Nothing);
+    if (next == Next::Outcome) show_outcome();
+    if (next == Next::Interval) begin_interval();
+    return;
+  }
+  const bool interval = stage_ == Stage::Trial && session_.phase() == trials::Phase::Interval;
+  if (!interval && stage_ != Stage::Gesture) return;
+  const IntervalState state = loop_.state();
+  if (connected_) outlets_.binary(encode_probe(state, ++sequence_));
+  if (!state.begun) onset_utc_ = base::utc_now();  // the trace begins when the hand has left the skin
+  if (state.fault != Fault::None) return report_fault();
+  if (interval && state.over) end_interval();
+}
+
+// ---- What the page says ----
+
+void Sitting::binary_from_page(std::string_view bytes) {
+  const auto hand = parse_hand(bytes);
+  if (hand && hand->id == id_) loop_.set_hand(hand->depth);
+}
+
+void Sitting::text_from_page(std::string_view text) {
+  const auto reply = parse_reply(text);
+  if (reply && reply->id == id_) receive(*reply);
+}
+
+void Sitting::receive(const Reply& reply) {
+  const trials::Phase phase = session_.phase();
+  switch (reply.kind) {
+    case ReplyKind::Continue:
+      return go_on();
+    case ReplyKind::Finish:
+      if (stage_ == Stage::Trial && phase == trials::Phase::Interval && loop_.state().may_finish)
+        end_interval();
+      return;
+    case ReplyKind::Answer:
+      if (stage_ == Stage::Trial && phase == trials::Phase::Question) answer(reply);
+      return;
+    case ReplyKind::Early:
+      return note_early_key(reply);
+    case ReplyKind::Strategy:
+      if (stage_ != Stage::Thanks) return;
+      if (!reply.text.empty()) session_.note("strategy", reply.text);
+      enter(Stage::End);
+      outlets_.finished();
+      return;
+  }
+}
+
+void Sitting::go_on() {
+  switch (stage_) {
+    case Stage::Welcome:
+      notice_.clear();
+      outlets_.technician("The examinee is practising the movement.");
+      return enter(Stage::Gesture);
+    case Stage::Gesture:
+    case Stage::Fault:
+      return enter(Stage::Trial);
+    case Stage::Again:
+      return begin_interval();
+    case Stage::Trial:
+      if (session_.phase() == trials::Phase::Ready) begin_interval();
+      return;
+    case Stage::Thanks:
+    case Stage::End:
+      return;
+  }
+}
+
+void Sitting::answer(const Reply& reply) {
+  if (reply.choice < 1 || reply.choice > session_.view().intervals) return;
+  // The page measures from the painted question. It cannot have taken longer than we know of.
+  const double waited = std::chrono::duration<double>(Clock::now() - shown_).count();
+  const double measured = reply.milliseconds * 1e-3;
+  const bool plausible = measured >= 0 && measured <= waited;
+  if (!plausible)
+    session_.note(
+        "response time replaced",
+        fmt::format("the page measured {} s of {} s; the program's own is stored", measured, waited));
+  session_.answer(reply.choice, plausible ? measured : waited, onset_utc_);
+  tell_progress();
+  enter(complete() ? Stage::Thanks : Stage::Trial);
+}
+
+void Sitting::note_early_key(const Reply& reply) {
+  const bool single = reply.text == "ArrowLeft" || reply.text == "ArrowRight" || reply.text.size() == 1;
+  if (stage_ != Stage::Trial || !single || ++early_keys_ > kMostEarlyKeys) return;
+  session_.note("early key",
+                fmt::format("{} during {}, {:.3f} s after it was shown", reply.text, phase_name(),
+                            std::chrono::duration<double>(Clock::now() - shown_).count()));
+}
+
+void Sitting::tell_progress() {
+  const int all = trials::trials_per_session(protocol_);
+  outlets_.technician(fmt::format("{} of {} questions answered.",
+                                  static_cast<std::size_t>(all) - session_.pending().size(), all));
+}
+
+}  // namespace palpate::app

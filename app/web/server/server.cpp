@@ -1,0 +1,124 @@
+#include "app/web/server/server.hpp"
+
+#include <fmt/format.h>
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/beast/core.hpp>
+#include <stdexcept>
+
+#include "app/web/server/access.hpp"
+#include "app/web/server/connection.hpp"
+
+namespace palpate::app {
+
+namespace asio = boost::asio;
+using asio::ip::tcp;
+
+struct Server::State : std::enable_shared_from_this<Server::State> {
+  State(asio::io_context& io, PageEvents handlers) : acceptor(io), events(std::move(handlers)) {}
+
+  void listen(std::uint16_t wanted);
+  void accept();
+  void serve(tcp::socket socket);
+  void take(const std::shared_ptr<PageSocket>& opened);
+
+  tcp::acceptor acceptor;
+  PageEvents events;
+  std::string token = draw_token();
+  std::uint16_t port = 0;
+  std::shared_ptr<PageSocket> page;  // the one that counts
+};
+
+void Server::State::listen(std::uint16_t wanted) {
+  const tcp::endpoint endpoint(asio::ip::address_v4::loopback(), wanted);
+  try {
+    acceptor.open(endpoint.protocol());
+    acceptor.set_option(asio::socket_base::reuse_address(true));
+    acceptor.bind(endpoint);
+    acceptor.listen(16);
+  } catch (const boost::system::system_error& error) {
+    throw std::runtime_error(fmt::format(
+        "port {} of 127.0.0.1 cannot be had ({}); leave out --port and one will be chosen that is free",
+        wanted, error.code().message()));
+  }
+  port = acceptor.local_endpoint().port();
+}
+
+void Server::State::accept() {
+  acceptor.async_accept([self = shared_from_this()](boost::system::error_code error, tcp::socket socket) {
+    if (error == asio::error::operation_aborted) return;
+    if (!error) self->serve(std::move(socket));
+    self->accept();
+  });
+}
+
+void Server::State::serve(tcp::socket socket) {
+  boost::system::error_code ignored;
+  socket.set_option(tcp::no_delay(true), ignored);
+  const auto weak = weak_from_this();
+  serve_connection(std::move(socket), {.token = token, .port = port},
+                   [weak](const std::shared_ptr<PageSocket>& opened) {
+                     if (const auto self = weak.lock()) self->take(opened);
+                   });
+}
+
+/// A page's WebSocket has opened: the one before it, if any, is sent away.
+void Server::State::take(const std::shared_ptr<PageSocket>& opened) {
+  if (page) {
+    const auto before = std::exchange(page, nullptr);
+    before->close(kTakenOver);
+    events.closed();
+  }
+  page = opened;
+  const auto weak = weak_from_this();
+  const std::weak_ptr<PageSocket> mine = opened;
+  const auto current = [weak, mine]() -> std::shared_ptr<State> {
+    const auto self = weak.lock();
+    return self && self->page && self->page == mine.lock() ? self : nullptr;
+  };
+  opened->listen(
+      [current](std::string_view message, bool text) {
+        if (const auto self = current()) (text ? self->events.text : self->events.binary)(message);
+      },
+      [current] {
+        const auto self = current();
+        if (!self) return;
+        self->page = nullptr;
+        self->events.closed();
+      });
+  events.opened();
+}
+
+Server::Server(asio::io_context& context, std::uint16_t port, PageEvents events)
+    : state_(std::make_shared<State>(context, std::move(events))) {
+  state_->listen(port);
+  state_->accept();
+}
+
+Server::~Server() {
+  boost::system::error_code ignored;
+  state_->acceptor.close(ignored);
+}
+
+std::string Server::link() const {
+  return fmt::format("http://127.0.0.1:{}/{}/", state_->port, state_->token);
+}
+
+bool Server::connected() const {
+  return state_->page != nullptr;
+}
+
+void Server::send_text(std::string message) {
+  if (state_->page) state_->page->send(std::move(message), true);
+}
+
+void Server::send_binary(std::string message) {
+  if (state_->page) state_->page->send(std::move(message), false);
+}
+
+void Server::finish() {
+  if (state_->page) state_->page->close(kEnded);
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace palpate::base {
+
+/// Writes a file aside (same folder), flushes it to the disk, then renames it over `file`: a reader sees the
+/// old file or the whole new one. Throws std::system_error that names the file when the disk refuses; nothing
+/// is left behind.
+void write_atomically(const std::filesystem::path& file, std::string_view bytes);
+
+}  // namespace palpate::base

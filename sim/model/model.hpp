@@ -1,0 +1,66 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/compliance/compliance.hpp"
+#include "sim/elasticity/stiffness.hpp"
+#include "sim/mesh/surface.hpp"
+#include "sim/mesh/tet_mesh.hpp"
+#include "sim/scene/scene.hpp"
+#include "sim/surface/aabb_tree.hpp"
+#include "sim/surface/touch_surface.hpp"
+
+namespace palpate::sim {
+
+/// An elastic body as the haptic cycle sees it. Vectors over its touchable nodes have 3t entries, x y z of
+/// each.
+struct Body {
+  std::string name{};
+  std::shared_ptr<const TetMesh> mesh{};           // at rest, placed in the scene [m]
+  std::shared_ptr<const Surface> surface{};        // its whole boundary, for pictures
+  std::vector<Material> materials{};               // as stiffness() takes them
+  std::vector<int> fixed{};                        // mesh nodes
+  double young_modulus = 0.0;                      // E [Pa]
+  std::shared_ptr<const Compliance> compliance{};  // of the same body with E = 1 Pa: u = C f / E
+  std::vector<int> touch_of_node{};    // touch index of each mesh node, -1 where it cannot be touched
+  Eigen::Matrix3Xd rest{};             // of the touchable nodes, 3 x t [m]
+  TouchSurface polygons{};             // what can collide, by touch index
+  std::vector<int> colliding_nodes{};  // touch indices of the polygons' nodes, ascending
+  AabbTree tree{};                     // over the polygons at rest
+  std::vector<int> probes{};           // those that press this body, by index into Model::probes
+};
+
+/// What presses. A point holds one node; a pad holds the weighted mean of a footprint, and spreads its force
+/// with the same weights. While it presses (displacement . direction > 0) it prescribes W u = d.
+struct Probe {
+  std::string name{};
+  int body = 0;
+  Vec3 direction = Vec3::UnitZ();  // unit length
+  double depth = 0.0;              // default depth of a press [m]
+  Tangential tangential = Tangential::Held;
+  Vec3 at = Vec3::Zero();         // rest position of what it holds [m]
+  std::vector<int> nodes{};       // touch indices
+  std::vector<double> weights{};  // of each node, sum 1
+  Eigen::Matrix3Xd axes{};        // prescribed directions as columns: 3 (held) or 1 (free)
+  Eigen::MatrixXd compliance{};   // displacement of the touchable nodes per newton along each axis, for
+                                  // E = 1 Pa, 3t x rows [m/N]
+};
+
+struct TouchPair {
+  std::array<int, 2> bodies{};
+};
+
+/// A scene compiled: constant while the haptic loop runs, shared by threads.
+struct Model {
+  std::string scene{};
+  ContactModel law = ContactModel::None;
+  std::vector<Body> bodies{};      // those present
+  std::vector<TouchPair> pairs{};  // those of present bodies
+  std::vector<Probe> probes{};
+};
+
+}  // namespace palpate::sim

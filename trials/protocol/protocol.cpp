@@ -1,0 +1,111 @@
+#include "trials/protocol/protocol.hpp"
+
+#include <fmt/format.h>
+
+namespace palpate::trials {
+
+constexpr std::size_t kMostCells = 1000;  // more is a slip of the keyboard
+
+namespace {
+
+/// Levels of each factor in cell number `cell`, the last factor fastest.
+std::vector<std::size_t> levels_of(const std::vector<Factor>& factors, std::size_t cell) {
+  std::vector<std::size_t> levels(factors.size());
+  for (std::size_t i = factors.size(); i-- > 0;) {
+    levels[i] = cell % factors[i].levels.size();
+    cell /= factors[i].levels.size();
+  }
+  return levels;
+}
+
+Cell make_cell(const std::vector<Factor>& factors, std::size_t number) {
+  Cell cell{.name = factors.empty() ? "all" : "", .levels = levels_of(factors, number)};
+  for (std::size_t i = 0; i < factors.size(); ++i)
+    cell.name += (i > 0 ? ", " : "") + factors[i].levels[cell.levels[i]];
+  return cell;
+}
+
+Stimulus make_stimulus(const Protocol& protocol, std::size_t cell, std::size_t condition) {
+  Stimulus stimulus{.cell = cell, .condition = condition, .overrides = {}};
+  for (std::size_t i = 0; i < protocol.factors.size(); ++i) {
+    const Factor& factor = protocol.factors[i];
+    stimulus.overrides.push_back({factor.key, factor.values[protocol.cells[cell].levels[i]]});
+  }
+  const auto& changes = protocol.conditions[condition].overrides;
+  stimulus.overrides.insert(stimulus.overrides.end(), changes.begin(), changes.end());
+  return stimulus;
+}
+
+std::string order_in_words(const Protocol& protocol, const PlanSummary& plan) {
+  const std::string& correct = protocol.conditions[protocol.correct].name;
+  const std::string cells = fmt::format(
+      "All {} trials of a sitting come in one random order, whatever their cell. ", plan.trials_per_session);
+  if (protocol.interval_order == "balanced")
+    return cells + fmt::format(
+                       "In each cell \"{}\" comes first in exactly half of the {} trials, in random "
+                       "sequence. Nobody is told whether an answer was right, so that counting the "
+                       "orders helps no more than guessing: {:.0f} % right.",
+                       correct, protocol.trials_per_examinee_per_cell, 100 * plan.best_guess);
+  return cells + fmt::format(
+                     "Before each trial a fair coin decides which interval holds \"{}\"; flips are "
+                     "independent, so that whoever feels nothing is right in {:.0f} % of the trials "
+                     "whatever rule is followed, and may be right or wrong many times in a row.",
+                     correct, 100 * plan.best_guess);
+}
+
+}  // namespace
+
+int intervals_per_trial(const Protocol& protocol) {
+  return static_cast<int>(protocol.pair.size());
+}
+
+int trials_per_session(const Protocol& protocol) {
+  return static_cast<int>(protocol.cells.size()) * protocol.trials_per_examinee_per_cell;
+}
+
+std::size_t stimulus_index(const Protocol& protocol, std::size_t cell, std::size_t condition) {
+  return cell * protocol.conditions.size() + condition;
+}
+
+void expand(Protocol& protocol) {
+  protocol.cells.clear();
+  protocol.stimuli.clear();
+  std::size_t count = 1;
+  for (const Factor& factor : protocol.factors) {
+    count *= factor.levels.size();
+    if (count > kMostCells)
+      throw std::invalid_argument(fmt::format("{}:{}: factors: make more than {} cells; accepted: at most {}",
+                                              protocol.file.string(), factor.line, kMostCells, kMostCells));
+  }
+  for (std::size_t cell = 0; cell < count; ++cell) {
+    protocol.cells.push_back(make_cell(protocol.factors, cell));
+    for (std::size_t condition = 0; condition < protocol.conditions.size(); ++condition)
+      protocol.stimuli.push_back(make_stimulus(protocol, cell, condition));
+  }
+}
+
+PlanSummary describe(const Protocol& protocol) {
+  PlanSummary summary;
+  summary.trials_per_session = trials_per_session(protocol);
+  summary.planned_examinees = protocol.planned_examinees;
+  summary.trials_per_cell = protocol.planned_examinees * protocol.trials_per_examinee_per_cell;
+  for (const Cell& cell : protocol.cells) summary.cells.push_back(cell.name);
+  // Nobody is told whether an answer was right: whatever was answered before, the next trial is a fair guess.
+  summary.best_guess = 1.0 / intervals_per_trial(protocol);
+  summary.order = order_in_words(protocol, summary);
+  return summary;
+}
+
+std::string_view to_string(DuringInterval display) {
+  switch (display) {
+    case DuringInterval::Hidden:
+      return "hidden";
+    case DuringInterval::Probe:
+      return "probe";
+    case DuringInterval::Organs:
+      return "organs";
+  }
+  return "";
+}
+
+}  // namespace palpate::trials

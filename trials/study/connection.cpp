@@ -1,0 +1,86 @@
+#include "trials/study/connection.hpp"
+
+#include <fmt/format.h>
+#include <sqlite3.h>
+
+#include <stdexcept>
+
+namespace palpate::trials {
+namespace {
+
+constexpr int kWaitForOtherWriters = 5000;  // [ms]
+
+/// The file's name as SQLite's URI form takes it.
+std::string uri(const std::filesystem::path& file, std::string_view parameters) {
+  std::string encoded = "file:";
+  for (const char c : file.string())
+    encoded += (c == '?' || c == '#' || c == '%') ? fmt::format("%{:02X}", static_cast<unsigned char>(c))
+                                                  : std::string(1, c);
+  return encoded + "?" + std::string(parameters);
+}
+
+bool has_write_ahead_log(const std::filesystem::path& file) {
+  std::error_code error;
+  const auto size = std::filesystem::file_size(file.string() + "-wal", error);
+  return !error && size > 0;
+}
+
+/// A write that the drive refuses takes nothing back of what was committed; of a read nothing is known.
+std::string told_io_error(const SQLite::Exception& error, const std::filesystem::path& file) {
+  const int what = error.getExtendedErrorCode();
+  const bool writing =
+      what == SQLITE_IOERR_WRITE || what == SQLITE_IOERR_FSYNC || what == SQLITE_IOERR_TRUNCATE;
+  return fmt::format("{}: the drive refused to {} the study file ({}){}", file.string(),
+                     writing ? "write" : "read or write", error.what(),
+                     writing ? "; every answer given before is kept, see to the drive and start again" : "");
+}
+
+}  // namespace
+
+SQLite::Database open_for_writing(const std::filesystem::path& file) {
+  SQLite::Database database(file.string(), SQLite::OPEN_READWRITE, kWaitForOtherWriters);
+  database.exec("PRAGMA foreign_keys = ON; PRAGMA synchronous = FULL; PRAGMA journal_mode = WAL");
+  return database;
+}
+
+SQLite::Database open_for_reading(const std::filesystem::path& file) {
+  const std::string name = uri(file, has_write_ahead_log(file) ? "mode=ro" : "mode=ro&immutable=1");
+  return {name, SQLite::OPEN_READONLY | SQLite::OPEN_URI, kWaitForOtherWriters};
+}
+
+void rethrow(const SQLite::Exception& error, const std::filesystem::path& file) {
+  const std::string said = error.what();
+  switch (error.getErrorCode()) {
+    case SQLITE_CORRUPT:
+    case SQLITE_NOTADB:
+    case SQLITE_ERROR:  // its statements are ours and fit a whole file: a table or column is missing
+      throw std::invalid_argument(fmt::format(
+          "{}: the study file is damaged ({}); `palpate verify` tells more, a backup copy is needed",
+          file.string(), said));
+    case SQLITE_FULL:
+      throw std::runtime_error(
+          fmt::format("{}: the disk is full; every answer given before is kept, make room and start again",
+                      file.string()));
+    case SQLITE_IOERR:
+      throw std::runtime_error(told_io_error(error, file));
+    case SQLITE_CONSTRAINT:
+      throw std::runtime_error(fmt::format(
+          "{}: the study file refused a row that does not fit those it holds ({}), and nothing of "
+          "this step was stored; another program wrote to it meanwhile, or it was altered: start "
+          "again, and run `palpate verify` on it if this comes back",
+          file.string(), said));
+    case SQLITE_READONLY:
+    case SQLITE_CANTOPEN:
+    case SQLITE_PERM:
+      throw std::runtime_error(
+          fmt::format("{}: the study file or its folder cannot be written ({})", file.string(), said));
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      throw std::runtime_error(
+          fmt::format("{}: another program keeps the study file locked ({})", file.string(), said));
+    default:
+      throw std::runtime_error(fmt::format("{}: the study file failed ({})", file.string(), said));
+  }
+}
+
+}  // namespace palpate::trials

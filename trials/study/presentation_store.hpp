@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "trials/study/connection.hpp"
+#include "trials/study/study_file.hpp"
+
+namespace palpate::trials {
+
+/// What was shown: a row when an interval begins, another when it ends, and its trace.
+class PresentationStore {
+ public:
+  explicit PresentationStore(SQLite::Database& database) : database_(database) {}
+  /// Begins a presentation (session, trial, draw, interval, attempt, condition, begun_utc) and returns its
+  /// id.
+  std::int64_t begin(const PresentationRow& presentation);
+  /// Ends it: all that is not set by begin(), the trace's checksum included.
+  void end(const PresentationRow& presentation, const std::string& encoded_trace);
+  std::vector<PresentationRow> of_session(std::int64_t session) const;
+  /// The trace as encoded, with its number of samples; empty where none was stored.
+  std::optional<std::pair<std::string, std::size_t>> trace(std::int64_t presentation) const;
+
+ private:
+  SQLite::Database& database_;
+};
+
+}  // namespace palpate::trials

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "trials/study/study_file.hpp"
+#include "trials/tables/codebook.hpp"
+
+namespace palpate::trials {
+
+using Value = std::variant<std::monostate, std::int64_t, double, std::string>;  // monostate: missing
+
+/// A table for other tools: one row an observation, every row as long as `columns`.
+struct Table {
+  std::string name;
+  std::vector<Column> columns{};
+  std::vector<std::vector<Value>> rows{};
+};
+
+/// One row an answered question.
+Table trial_table(const StudyFile& study);
+
+/// One row an interval of an answered question, as it counted.
+Table interval_table(const StudyFile& study);
+
+/// One row a presentation that did not count: explored too little, or of a trial that was cut off.
+Table exposure_table(const StudyFile& study);
+
+/// Whether an answer was given to a presentation; `answers` are those of its sitting.
+bool counted(const PresentationRow& presentation, const std::vector<AnswerRow>& answers);
+
+}  // namespace palpate::trials

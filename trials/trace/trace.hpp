@@ -1,0 +1,77 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/clock/utc.hpp"
+#include "trials/protocol/protocol.hpp"
+
+namespace palpate::trials {
+
+/// One cycle of an interval, as really driven. Single precision, as it is stored.
+struct TraceSample {
+  float time = 0;            // since the interval's onset [s]
+  float proposed_depth = 0;  // where hand or pointer asked the finger to be, along its direction [m]
+  float depth = 0;           // where the finger was driven, along its direction; > 0 in the body [m]
+  std::array<float, 3> displacement{};  // of the probe as driven [m]
+  std::array<float, 3> force{};         // delivered to the finger, after any clamp [N]
+
+  bool operator==(const TraceSample&) const = default;
+};
+using Trace = std::vector<TraceSample>;
+
+/// How the haptic loop kept time; empty where no loop ran in real time.
+struct LoopTiming {
+  double rate_hz = 0.0;
+  double p999_ms = 0.0;  // 99.9 % of cycles began no later than this after the one before
+  long missed_cycles = 0;
+};
+
+/// One presentation of an interval, from its onset until it was closed.
+struct IntervalRecord {
+  std::string onset_utc{};  // ISO 8601, see base::utc_now()
+  Trace trace{};
+  double clamped_fraction = 0.0;  // share of cycles in which the device's limit cut the force, 0..1
+  std::optional<LoopTiming> loop{};
+};
+
+/// What a trace says about how the body was explored.
+struct ExplorationSummary {
+  int presses = 0;          // times that the finger went in and out again, or was still in at the end
+  double time = 0.0;        // from onset to the last sample [s]
+  double peak_force = 0.0;  // largest |force| [N]
+  double max_depth = 0.0;   // deepest sample in contact: depth > 0 and the finger felt a force [m]
+};
+ExplorationSummary summarise(const Trace& trace);
+
+/// Counts presses while an interval runs, with the same rule as summarise(): one begins when the depth
+/// exceeds 0.5 mm and ends when it is back below 0.25 mm, so that trembling on the skin is no press.
+class PressCounter {
+ public:
+  void add(double depth);  // [m], sample by sample
+  int begun() const { return begun_; }
+  bool pressing() const { return pressing_; }
+
+ private:
+  int begun_ = 0;
+  bool pressing_ = false;
+};
+
+/// Whether a presentation fulfils the exploration rule; else the interval is shown again.
+enum class Verdict { Enough, TooFewPresses, TooManyPresses, TooShallow };
+Verdict judge(const ExplorationSummary& summary, const Exploration& rule);
+
+/// What the examinee (or the log) is told: never anything about the stimulus.
+std::string_view to_string(Verdict verdict);
+
+/// A trace as the study file keeps it: little-endian float32 column by column, zlib.
+std::string encode(const Trace& trace);
+/// Throws std::invalid_argument for bytes that encode() did not make or another number of samples.
+Trace decode(std::string_view bytes, std::size_t samples);
+
+}  // namespace palpate::trials
