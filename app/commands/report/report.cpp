@@ -1,3 +1,5 @@
+#include "app/commands/report/report.hpp"
+
 #include <fmt/core.h>
 #include <unistd.h>
 
@@ -13,7 +15,6 @@
 
 #include "analysis/report/write_report.hpp"
 #include "app/command_line/output.hpp"
-#include "app/commands/commands.hpp"
 #include "app/study/look_log.hpp"
 #include "app/study/study_table.hpp"
 #include "base/clock/utc.hpp"
@@ -77,26 +78,28 @@ void run_report(const ReportOptions& options) {
   fmt::print("{}", text);
 }
 
-}  // namespace
-
-void add_report(CLI::App& app) {
+void add(CLI::App& command) {
   const auto options = std::make_shared<ReportOptions>();
-  CLI::App* command = app.add_subcommand("report", "The significance report of a study");
-  command->add_option("STUDY", options->study, "Study file")->required();
+  command.add_option("STUDY", options->study, "Study file")->required();
   command
-      ->add_option("--run-mode", options->run_mode, "Which sessions: study, pilot or simulated; never pooled")
+      .add_option("--run-mode", options->run_mode, "Which sessions: study, pilot or simulated; never pooled")
       ->check(CLI::IsMember({"study", "pilot", "simulated"}));
-  command->add_flag(
+  command.add_flag(
       "--interim", options->interim,
       "Show tests though the planned sample is not complete; the look is logged in the study file");
-  command->add_option("--out", options->out, "Also write the report as one self-contained HTML page");
-  add_format(*command, options->format);
-  command->footer(
+  command.add_option("--out", options->out, "Also write the report as one self-contained HTML page");
+  add_format(command, options->format);
+  command.footer(
       "The protocol names the primary test; all others are labelled as secondary. Before the planned\n"
       "sample is complete the report counts answers and shows no test.\n\n"
       "Example:\n"
       "  palpate report study.db --out report.html\n");
-  command->callback([options] { run_report(*options); });
+  command.callback([options] { run_report(*options); });
 }
+
+}  // namespace
+
+const Command report_command{
+    .name = "report", .summary = "The significance report of a study", .heading = "Read a study", .add = add};
 
 }  // namespace palpate::app

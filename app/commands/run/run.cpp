@@ -1,11 +1,13 @@
+#include "app/commands/run/run.hpp"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 
+#include "app/command_line/interrupt.hpp"
 #include "app/command_line/user_cache.hpp"
-#include "app/commands/commands.hpp"
 #include "app/web/server/host.hpp"
 #include "base/machine/machine.hpp"
 #include "sim/compile/compile.hpp"
@@ -65,30 +67,34 @@ void run_run(const RunOptions& options) {
   throw Interrupted{};
 }
 
-}  // namespace
-
-void add_run(CLI::App& app) {
+void add(CLI::App& command) {
   auto options = std::make_shared<RunOptions>();
-  CLI::App* command = app.add_subcommand("run", "Runs a session with a person, in the browser");
-  command->add_option("protocol", options->protocol, "Protocol file (.toml)")->required();
-  command->add_option("--study", options->study, "Study file; made if there is none")->required();
-  command->add_option("--examinee", options->examinee, "The examinee's code (never a name), e.g. P01")
+  command.add_option("protocol", options->protocol, "Protocol file (.toml)")->required();
+  command.add_option("--study", options->study, "Study file; made if there is none")->required();
+  command.add_option("--examinee", options->examinee, "The examinee's code (never a name), e.g. P01")
       ->required();
   auto* pilot =
-      command->add_flag("--pilot", options->pilot, "A pilot: kept, and left out of the study's results");
-  command->add_flag("--practice", options->practice, "Practice: kept, and left out of the study's results")
+      command.add_flag("--pilot", options->pilot, "A pilot: kept, and left out of the study's results");
+  command.add_flag("--practice", options->practice, "Practice: kept, and left out of the study's results")
       ->excludes(pilot);
-  command->add_flag("--new-session", options->new_session, "Begin one more session of this examinee");
-  command->add_flag("--no-browser", options->no_browser, "Print the link and open nothing");
-  command->add_option("--device", options->device, "What presses; in this version a mouse")
+  command.add_flag("--new-session", options->new_session, "Begin one more session of this examinee");
+  command.add_flag("--no-browser", options->no_browser, "Print the link and open nothing");
+  command.add_option("--device", options->device, "What presses; in this version a mouse")
       ->check(CLI::IsMember({"mouse"}))
       ->default_val("mouse");
-  command->add_option("--port", options->port, "Port on 127.0.0.1 (default: one that is free)");
-  command->footer(
+  command.add_option("--port", options->port, "Port on 127.0.0.1 (default: one that is free)");
+  command.footer(
       "Without a haptic device the mouse presses: the session is pseudo-haptic and is marked so.\n"
       "An unfinished session is taken up where it stopped.\n\n"
       "Example:\n  palpate run protocols/kuroda2003.toml --study s.db --examinee P01");
-  command->callback([options] { run_run(*options); });
+  command.callback([options] { run_run(*options); });
 }
+
+}  // namespace
+
+const Command run_command{.name = "run",
+                          .summary = "Runs a session with a person, in the browser",
+                          .heading = "Run a study",
+                          .add = add};
 
 }  // namespace palpate::app
