@@ -5,11 +5,15 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "app/command_line/interrupt.hpp"
 #include "app/command_line/user_cache.hpp"
 #include "app/web/server/host.hpp"
 #include "base/machine/machine.hpp"
+#include "devices/devices.hpp"
 #include "sim/compile/compile.hpp"
 #include "trials/protocol/protocol.hpp"
 #include "trials/session/session.hpp"
@@ -24,16 +28,33 @@ struct RunOptions {
   std::uint16_t port = 0;
 };
 
-trials::SessionFacts facts_of(const RunOptions& options) {
+/// Devices that a person's hand moves, as --device takes them.
+std::vector<std::string> device_names() {
+  std::vector<std::string> names;
+  for (const devices::Device* device : devices::all())
+    if (device->facts.moved_by_a_person) names.emplace_back(device->name);
+  return names;
+}
+
+/// "What presses; in this version a mouse"
+std::string device_help() {
+  std::string text;
+  for (const devices::Device* device : devices::all())
+    if (device->facts.moved_by_a_person)
+      text += fmt::format("{}{}", text.empty() ? "What presses; in this version " : " or ", device->in_words);
+  return text;
+}
+
+trials::SessionFacts facts_of(const RunOptions& options, const devices::Device& device) {
   return {.examinee = options.examinee,
           .run_mode = options.pilot      ? trials::RunMode::Pilot
                       : options.practice ? trials::RunMode::Practice
                                          : trials::RunMode::Study,
           .software_version = PALPATE_VERSION,
           .machine = base::describe_machine(),
-          .device = options.device,
-          .pseudo_haptic = true,
-          .channel = "pointer lag"};
+          .device = std::string(device.name),
+          .pseudo_haptic = !device.facts.gives_force,
+          .channel = std::string(device.facts.channel)};
 }
 
 Organs prepare_organs(const trials::Protocol& protocol) {
@@ -46,7 +67,8 @@ Organs prepare_organs(const trials::Protocol& protocol) {
 /// Everything that can fail is tried before the study file is touched.
 void run_run(const RunOptions& options) {
   const trials::Protocol protocol = trials::load_protocol(options.protocol);
-  const trials::SessionFacts facts = facts_of(options);
+  devices::OpenDevice device = devices::open(options.device);
+  const trials::SessionFacts facts = facts_of(options, *device.device);
   trials::check_start(options.study, protocol, facts, options.new_session);
   const Organs organs = prepare_organs(protocol);
   Host host({.port = options.port, .open_browser = !options.no_browser});
@@ -58,7 +80,7 @@ void run_run(const RunOptions& options) {
     fmt::print(stderr, "{} has an unfinished session: it goes on, {} of {} questions are answered.\n",
                options.examinee, static_cast<std::size_t>(all) - session.pending().size(), all);
 
-  const HostEnd end = host.lead(session, protocol, organs);
+  const HostEnd end = host.lead(session, protocol, organs, std::move(device));
   fmt::print("{}: {} of {} questions answered, all saved in {}\n", options.examinee,
              static_cast<std::size_t>(all) - session.pending().size(), all, options.study);
   fmt::print("receipt {}\n", trials::to_string(session.receipt()));
@@ -79,9 +101,9 @@ void add(CLI::App& command) {
       ->excludes(pilot);
   command.add_flag("--new-session", options->new_session, "Begin one more session of this examinee");
   command.add_flag("--no-browser", options->no_browser, "Print the link and open nothing");
-  command.add_option("--device", options->device, "What presses; in this version a mouse")
-      ->check(CLI::IsMember({"mouse"}))
-      ->default_val("mouse");
+  command.add_option("--device", options->device, device_help())
+      ->check(CLI::IsMember(device_names()))
+      ->default_val(device_names().front());
   command.add_option("--port", options->port, "Port on 127.0.0.1 (default: one that is free)");
   command.footer(
       "Without a haptic device the mouse presses: the session is pseudo-haptic and is marked so.\n"

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "devices/devices.hpp"
 #include "tests/app/support/palpation.hpp"
 #include "tests/support/places.hpp"
 #include "trials/study/study_file.hpp"
@@ -100,7 +101,7 @@ class SittingTest : public testing::Test {
   std::optional<trials::StudyFile> study_;
   std::optional<trials::Session> session_;
   Organs organs_;
-  HapticLoop loop_;
+  HapticLoop loop_{devices::open("mouse")};
   std::optional<Sitting> sitting_;
   json shown_;
   std::string said_;
