@@ -1,3 +1,5 @@
+#include "trials/study/verify.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>

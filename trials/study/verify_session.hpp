@@ -9,7 +9,7 @@
 
 #include "trials/study/chain_parts.hpp"
 #include "trials/study/stores.hpp"
-#include "trials/study/study_file.hpp"
+#include "trials/study/verify.hpp"
 
 namespace palpate::trials {
 

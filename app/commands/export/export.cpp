@@ -11,6 +11,7 @@
 #include "app/commands/commands.hpp"
 #include "base/clock/utc.hpp"
 #include "trials/export/datasets.hpp"
+#include "trials/study/verify.hpp"
 
 namespace palpate::app {
 namespace {

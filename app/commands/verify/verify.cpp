@@ -1,3 +1,5 @@
+#include "trials/study/verify.hpp"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -8,7 +10,6 @@
 #include "app/command_line/output.hpp"
 #include "app/commands/commands.hpp"
 #include "app/study/merged_parts_json.hpp"
-#include "trials/study/study_file.hpp"
 
 namespace palpate::app {
 namespace {
