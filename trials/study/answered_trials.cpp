@@ -52,9 +52,11 @@ void add_presentation(AnsweredTrial& trial, PresentationRow presentation) {
 }
 
 JoinedSitting joined_sitting(const StudyFile& study, const SessionRow& session, const VoidReasons& reasons) {
-  JoinedSitting joined =
-      join(session, {study.trials(session.id), study.presentations(session.id), study.answers(session.id)},
-           reasons);
+  SittingRows rows;
+  rows.answers = study.answers(session.id);  // first: the trial of each is there, though a sitting may go on
+  rows.trials = study.trials(session.id);
+  rows.presentations = study.presentations(session.id);
+  JoinedSitting joined = join(session, std::move(rows), reasons);
   if (!joined.without_trial.empty())
     throw std::invalid_argument(
         "the study file is damaged: an answer has no trial; `palpate verify` tells more");

@@ -10,8 +10,8 @@
 
 namespace palpate::trials {
 
-/// Which of the protocol's cells or conditions the file names. Throws std::invalid_argument, "the study file is
-/// damaged: a trial names ...", where it has none of that name.
+/// Which of the protocol's cells or conditions the file names. Throws std::invalid_argument, "the study file
+/// is damaged: a trial names ...", where it has none of that name.
 /// @param who  what names it: "a trial"
 template <class Named>
 std::size_t index_of(const std::vector<Named>& all, std::string_view name, std::string_view who) {

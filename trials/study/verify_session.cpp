@@ -11,7 +11,7 @@ namespace palpate::trials {
 namespace {
 
 void check_trace(const StudyFile::Stores& stores, const std::string& place, const PresentationRow& p,
-                 Problems& problems) {
+                 FirstProblems& problems) {
   const auto stored = stores.presentations.trace(p.id);
   if (!stored) return problems.add("{}: its trace is missing", place);
   if (base::sha256_hex(stored->first) != p.trace_sha256)
@@ -28,7 +28,7 @@ void check_trace(const StudyFile::Stores& stores, const std::string& place, cons
 
 /// The trial against the plan that was drawn, and what was shown against the trial.
 void check_answer(const Protocol& design, const std::string& place, const AnsweredTrial& answered,
-                  Problems& problems) {
+                  FirstProblems& problems) {
   const Trial& trial = answered.drawn.trial;
   const auto& order = trial.interval_condition;
   const auto holds = std::ranges::find(order, design.correct);
@@ -68,7 +68,7 @@ std::string difference(const std::string& hashed, const std::string& in_file) {
 
 /// Every trial of the protocol is drawn, each draw in its turn, and each cell as often as it is to be.
 void check_plan(const Protocol& design, const std::string& who, const std::vector<DrawnTrial>& trials,
-                Problems& problems) {
+                FirstProblems& problems) {
   std::vector<int> in_cell(design.cells.size(), 0);
   std::map<int, int> draws;  // by trial
   for (const DrawnTrial& drawn : trials) {
@@ -92,7 +92,7 @@ void check_plan(const Protocol& design, const std::string& who, const std::vecto
 
 /// The sitting's facts and the orders as first drawn are those that were hashed when it began.
 void check_beginning(const SittingInFile& in, const std::string& who, const std::vector<DrawnTrial>& trials,
-                     Problems& problems) {
+                     FirstProblems& problems) {
   const auto begun = events_of(in, event_kind::kBegun);
   if (begun.size() != 1)
     return problems.add("{}: {} events of its beginning in the chain, there must be one", who, begun.size());
@@ -108,7 +108,7 @@ void check_beginning(const SittingInFile& in, const std::string& who, const std:
 
 /// Each order that replaced another, and what was felt before, are those that were hashed then.
 void check_redraws(const SittingInFile& in, const std::string& who, const std::vector<DrawnTrial>& trials,
-                   const std::vector<PresentationRow>& presentations, Problems& problems) {
+                   const std::vector<PresentationRow>& presentations, FirstProblems& problems) {
   std::size_t matched = 0;
   for (const DrawnTrial& drawn : trials) {
     if (drawn.draw == 0) continue;
@@ -134,7 +134,7 @@ void check_redraws(const SittingInFile& in, const std::string& who, const std::v
 
 /// Checks each answer and gathers its text.
 void check_answers(const SittingInFile& in, const std::string& who, SittingRows rows,
-                   std::map<std::int64_t, std::string>& texts, Problems& problems) {
+                   std::map<std::int64_t, std::string>& texts, FirstProblems& problems) {
   const Protocol& design = in.stores.design;
   const auto answers = std::ssize(rows.answers);
   const JoinedSitting joined = join(in.session, std::move(rows), {});
@@ -153,7 +153,7 @@ void check_answers(const SittingInFile& in, const std::string& who, SittingRows 
 }  // namespace
 
 void check_session(const SittingInFile& in, VerifyScope scope, std::map<std::int64_t, std::string>& texts,
-                   VerifyReport& report, Problems& problems) {
+                   VerifyReport& report, FirstProblems& problems) {
   const SessionRow& session = in.session;
   const std::string who = fmt::format("examinee {}, sitting {}", session.facts.examinee, session.number);
   const SittingRows rows{in.stores.trials.of_session(session.id),

@@ -62,8 +62,8 @@ class PressCounter {
   bool pressing_ = false;
 };
 
-/// How a presentation ended: fulfilling the exploration rule, or else why it is shown again. `Interrupted`: cut
-/// off, whatever had been felt by then.
+/// How a presentation ended: fulfilling the exploration rule, or else why it is shown again. `Interrupted`:
+/// cut off, whatever had been felt by then.
 enum class Verdict { Enough, TooFewPresses, TooManyPresses, TooShallow, Interrupted };
 
 /// Never `Interrupted`.

@@ -175,8 +175,8 @@ TEST_F(AnsweredTrialsTest, AnAnswerWithoutATrialIsRefused) {
   EXPECT_EQ(test::message_of<std::invalid_argument>([&] { exposures(study_); }), said);
 }
 
-/// Rows as a sitting, or a damaged file, may hold them: trials drawn up to three times, presentations of any of
-/// them and of others, answers to draws that are there or not.
+/// Rows as a sitting, or a damaged file, may hold them: trials drawn up to three times, presentations of any
+/// of them and of others, answers to draws that are there or not.
 SittingRows any_rows() {
   constexpr int kTrials = 4, kDraws = 3, kIntervals = 3;
   const auto below = [](int end) { return *rc::gen::inRange(0, end); };
