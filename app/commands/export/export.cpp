@@ -12,6 +12,7 @@
 #include "app/command_line/progress.hpp"
 #include "base/clock/utc.hpp"
 #include "trials/export/datasets.hpp"
+#include "trials/study/verify.hpp"
 
 namespace palpate::app {
 namespace {

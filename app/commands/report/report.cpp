@@ -20,11 +20,12 @@
 #include "base/clock/utc.hpp"
 #include "base/files/atomic_file.hpp"
 #include "base/files/file_error.hpp"
+#include "trials/study/verify.hpp"
 
 namespace palpate::app {
 namespace {
 
-struct ReportOptions {
+struct ReportArguments {
   std::string study, run_mode, out, format;
   bool interim = false;
 };
@@ -43,7 +44,7 @@ std::string printed(const analysis::StudyReport& report, const std::string& form
 }
 
 // A report never takes the place of something that is none.
-void check_page(const ReportOptions& options) {
+void check_page(const ReportArguments& options) {
   if (options.out.empty()) return;
   const std::filesystem::path page = options.out;
   if (page.extension() != ".html" && page.extension() != ".htm")
@@ -55,7 +56,7 @@ void check_page(const ReportOptions& options) {
         fmt::format("--out {}: is the study file itself; accepted: another name", options.out));
 }
 
-void run_report(const ReportOptions& options) {
+void run_report(const ReportArguments& options) {
   check_page(options);
   trials::require_whole(options.study);
   analysis::ReportOptions asked{
@@ -79,7 +80,7 @@ void run_report(const ReportOptions& options) {
 }
 
 void add(CLI::App& command) {
-  const auto options = std::make_shared<ReportOptions>();
+  const auto options = std::make_shared<ReportArguments>();
   command.add_option("STUDY", options->study, "Study file")->required();
   command
       .add_option("--run-mode", options->run_mode, "Which sessions: study, pilot or simulated; never pooled")

@@ -9,7 +9,7 @@
 
 #include "app/command_line/output.hpp"
 #include "app/study/merged_parts_json.hpp"
-#include "trials/study/study_file.hpp"
+#include "trials/study/verify.hpp"
 
 namespace palpate::app {
 namespace {

@@ -147,7 +147,7 @@ TEST_F(SittingTest, AnImpossibleHandPausesTheSession) {
   hold(2000, 50ms);
   ASSERT_EQ(phase(), "fault");
   EXPECT_EQ(session_->phase(), trials::Phase::Ready);
-  EXPECT_EQ(study_->presentations(1).at(0).verdict, "interrupted");
+  EXPECT_EQ(study_->presentations(1).at(0).verdict, trials::Verdict::Interrupted);
   reply("continue");
   EXPECT_EQ(phase(), "ready");
 }
@@ -169,7 +169,7 @@ TEST_F(SittingTest, AnIntervalUnderWayWhenThePageClosesIsStoredAsCutOff) {
   hold(8, 200ms);
   sitting_->page_closed();
   EXPECT_EQ(session_->phase(), trials::Phase::Ready);
-  EXPECT_EQ(study_->presentations(1).at(0).verdict, "interrupted");
+  EXPECT_EQ(study_->presentations(1).at(0).verdict, trials::Verdict::Interrupted);
   EXPECT_GT(study_->presentations(1).at(0).samples, 0U);
   sitting_->page_opened();
   EXPECT_EQ(phase(), "ready");

@@ -41,6 +41,7 @@ std::string advice(trials::Verdict verdict, const trials::Exploration& rule) {
     case trials::Verdict::TooShallow:
       return "Please press a little deeper: move the mouse further down.";
     case trials::Verdict::Enough:
+    case trials::Verdict::Interrupted:
       return {};
   }
   return {};
