@@ -84,9 +84,13 @@ Table trial_table(const StudyFile& study) {
     for (const AnswerRow& answer : study.answers(session.id)) {
       const Trial& trial = drawn_for(trials, answer).trial;
       const auto reason = reasons.find({session.id, answer.trial});
-      std::vector<Value> row{session.facts.examinee, number(session.number), number(trial.block),
-                             number(trial.number),   run_mode(session),      design.task,
-                             design.procedure};
+      std::vector<Value> row{session.facts.examinee,
+                             number(session.number),
+                             number(trial.block),
+                             number(trial.number),
+                             run_mode(session),
+                             std::string(design.task->name),
+                             std::string(design.procedure->name)};
       for (std::size_t i = 0; i < design.factors.size(); ++i)
         row.push_back(plain_text(design.factors[i].levels[design.cells[trial.cell].levels[i]]));
       const std::vector<Value> rest{number(trial.correct_interval),
