@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "tests/trials/support/raw_sql.hpp"
 #include "tests/trials/support/sitting.hpp"
 #include "tests/trials/support/up_down.hpp"
 #include "trials/session/session.hpp"
@@ -10,7 +11,10 @@
 namespace palpate::trials {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
 
 /// Levels of a design with two cells, where the answers are right (true) or wrong.
 std::vector<std::size_t> levels_after(const std::vector<bool>& answers) {
@@ -105,6 +109,25 @@ TEST_F(AdaptiveSession, DrawsAnInterruptedTrialAgainAtItsLevel) {
   EXPECT_EQ(session_->trial().number, 2);
   answer(false);
   EXPECT_THAT(stored_levels(), ElementsAre(0, 1, 0));
+}
+
+TEST_F(AdaptiveSession, IsVerifiedAsAnyOther) {
+  start();
+  for (const bool correct : {true, true, false, false, true, true}) answer(correct);
+  session_->note("strategy", "none");
+  EXPECT_THAT(verify_study(path_, session_->receipt()).problems, IsEmpty());
+}
+
+TEST_F(AdaptiveSession, ATrialAlteredBeforeItsAnswerIsFound) {
+  start();
+  answer(true);
+  session_.reset();
+  study_.reset();
+  ASSERT_EQ(test::sql(path_,
+                      "DROP TRIGGER trial_refuses_UPDATE; UPDATE trial SET cell = 'kuroda' WHERE number = 2"),
+            "");
+  EXPECT_THAT(verify_study(path_).problems,
+              Contains(HasSubstr("trial 2: is not the one that was drawn: the chain says cell=sibille")));
 }
 
 }  // namespace
