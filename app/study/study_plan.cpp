@@ -47,11 +47,11 @@ std::vector<double> proportions(Side side) {
   return values;
 }
 
-std::vector<PlannedLook> looks_of(const StudyDesign& design) {
+std::vector<PlannedLook> looks_of(const StudyDesign& design, double chance) {
   if (design.looks.empty()) return {};
   std::vector<long> trials;
   for (const int look : design.looks) trials.push_back(long{look} * design.trials_per_examinee_per_cell);
-  return planned_looks(trials, 0.5, design.alpha, side_from_name(design.side),
+  return planned_looks(trials, chance, design.alpha, side_from_name(design.side),
                        spending_from_name(design.spending));
 }
 
@@ -94,7 +94,7 @@ std::string regions_in_words(const StudyPlan& plan) {
 }
 
 std::string closing_words(const StudyPlan& plan) {
-  const bool balanced = plan.protocol.interval_order == "balanced";
+  const bool balanced = plan.protocol.interval_order == trials::IntervalOrder::Balanced;
   std::string text = balanced
                          ? fmt::format(
                                "Power of the randomisation test over the balanced orders, from {} simulated "
@@ -178,14 +178,13 @@ void refuse_if_late(const trials::StudyFile& study) {
 StudyPlan planned_regions(const trials::Protocol& protocol) {
   StudyPlan plan{.protocol = protocol};
   const StudyDesign design = design_of(protocol);
-  require_size(protocol, design.interval_order == "coin");
-  plan.looks = looks_of(design);
+  require_size(protocol, protocol.interval_order == trials::IntervalOrder::Coin);
+  plan.looks = looks_of(design, protocol.task->chance);
   if (!plan.looks.empty())
     plan.critical = plan.looks.back().critical;
-  else if (design.interval_order == "coin")
+  else if (protocol.interval_order == trials::IntervalOrder::Coin)
     plan.critical = critical_number(long{protocol.trials_per_examinee_per_cell} * protocol.planned_examinees,
-                                    1.0 / trials::intervals_per_trial(protocol), design.alpha,
-                                    side_from_name(design.side));
+                                    protocol.task->chance, design.alpha, side_from_name(design.side));
   return plan;
 }
 
@@ -194,13 +193,13 @@ StudyPlan study_plan(const trials::Protocol& protocol, double overdispersion) {
   plan.overdispersion = overdispersion;
   const StudyDesign design = design_of(protocol);
   const long each = protocol.trials_per_examinee_per_cell;
-  const double chance = 1.0 / trials::intervals_per_trial(protocol), alpha = design.alpha;
+  const double chance = protocol.task->chance, alpha = design.alpha;
   const Side side = side_from_name(design.side);
-  const bool coin = design.interval_order == "coin";
+  const bool coin = protocol.interval_order == trials::IntervalOrder::Coin;
   for (const double probability : proportions(side)) {
     PowerRow row{.alike = primary_power(design, probability)};
     row.differing = overdispersion == 0 ? row.alike : primary_power(design, probability, overdispersion);
-    row.d_prime = dprime_2ifc(std::lround(100 * probability), 100, DPrimeCorrection::None).d_prime;
+    row.d_prime = protocol.task->d_prime(std::lround(100 * probability), 100);
     if (coin)
       row.size =
           binomial_sample_size(chance, probability, alpha, side, kTargetPower, each, kLargestSize + each);
@@ -217,8 +216,8 @@ std::string in_words(const StudyPlan& plan) {
                                  counted(each, "trial", "trials"), counted(cells, "cell", "cells"),
                                  counted(each * cells, "trial", "trials"),
                                  counted(protocol.planned_examinees, "examinee", "examinees"));
-  text += fmt::format("Primary test: {}, alpha {}, side {}\n\n", protocol.analysis.primary,
-                      protocol.analysis.alpha, protocol.analysis.side);
+  text += fmt::format("Primary test: {}, alpha {}, side {}\n\n", to_string(protocol.analysis.primary),
+                      protocol.analysis.alpha, to_string(protocol.analysis.side));
   text += regions_in_words(plan);
   const bool differing = plan.overdispersion > 0;
   text += fmt::format("\n{:>14}  {:>5}  {:>12}{}  {:>20}  {:>22}\n", "true correct", "d'", "power, alike",
@@ -253,9 +252,9 @@ ordered_json to_json(const StudyPlan& plan) {
           {"planned_examinees", protocol.planned_examinees},
           {"trials_per_examinee_per_cell", each},
           {"trials_per_cell", each * protocol.planned_examinees},
-          {"primary", protocol.analysis.primary},
+          {"primary", to_string(protocol.analysis.primary)},
           {"alpha", protocol.analysis.alpha},
-          {"side", protocol.analysis.side},
+          {"side", to_string(protocol.analysis.side)},
           {"cells", cells},
           {"looks", looks},
           {"target_power", kTargetPower},

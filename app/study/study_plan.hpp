@@ -14,7 +14,7 @@ namespace palpate::app {
 
 /// Power of the planned study, and the examinees that it takes, for one true proportion correct.
 struct PowerRow {
-  double d_prime = 0.0;         // of an unbiased observer in 2IFC
+  double d_prime = 0.0;         // of an unbiased observer in the study's task
   analysis::Power alike{};      // were all examinees alike
   analysis::Power differing{};  // with the overdispersion that was asked for
   std::optional<analysis::SampleSize>

@@ -27,25 +27,25 @@ analysis::StudyDesign design_of(const trials::Protocol& protocol) {
       .protocol_sha256 = protocol.sha256,
       .protocol_text = protocol.text,
       .question = protocol.question,
-      .task = protocol.task,
+      .task = std::string(protocol.task->name),
       .correct_condition = protocol.conditions[protocol.correct].name,
       .trials_per_examinee_per_cell = protocol.trials_per_examinee_per_cell,
       .planned_examinees = protocol.planned_examinees,
-      .procedure = protocol.procedure,
-      .cell_order = protocol.cell_order,
-      .interval_order = protocol.interval_order,
+      .procedure = std::string(protocol.procedure->name),
+      .cell_order = std::string(to_string(protocol.cell_order)),
+      .interval_order = std::string(to_string(protocol.interval_order)),
       .least_presses = protocol.exploration.least_presses,
       .most_presses = protocol.exploration.most_presses,
       .min_depth_m = protocol.exploration.min_depth,
       .max_time_s = protocol.exploration.max_time,
       .display_during_interval = std::string(trials::to_string(protocol.during_interval)),
-      .primary = protocol.analysis.primary,
+      .primary = std::string(to_string(protocol.analysis.primary)),
       .alpha = protocol.analysis.alpha,
-      .side = protocol.analysis.side,
+      .side = std::string(to_string(protocol.analysis.side)),
       .between_models = protocol.analysis.between_models.value_or("none"),
       .looks = protocol.analysis.looks,
       .spending = protocol.analysis.spending};
-  for (const std::size_t condition : protocol.pair)
+  for (const std::size_t condition : protocol.presented)
     design.conditions.push_back(protocol.conditions[condition].name);
   for (const trials::Factor& factor : protocol.factors) design.factors.push_back(factor.key);
   for (const trials::Cell& cell : protocol.cells) {

@@ -63,7 +63,7 @@ std::string describe_dataset(const StudyFile& study) {
   std::string text = fmt::format(
       "Answers of a forced-choice study of touch on simulated elastic bodies, protocol {} ({}): {}, {} ({}), "
       "{}.",
-      protocol.name, protocol.task, counted_words(examinees.size(), "examinee"),
+      protocol.name, protocol.task->name, counted_words(examinees.size(), "examinee"),
       counted_words(study.sessions().size(), "sitting"),
       by_mode.empty() ? "none" : fmt::format("{}", fmt::join(by_mode, ", ")),
       counted_words(answers, "answer"));
@@ -76,19 +76,6 @@ std::string describe_dataset(const StudyFile& study) {
   if (pseudo_haptic)
     text += " Some sittings were pseudo-haptic: no force reached the hand (column pseudo_haptic).";
   return text;
-}
-
-std::string describe_task(const Protocol& protocol) {
-  std::vector<std::string> pair;
-  for (const std::size_t condition : protocol.pair) pair.push_back(protocol.conditions[condition].name);
-  return fmt::format(
-      "{}: the examinee presses on a simulated body in {} intervals, one with each of the conditions {}, in "
-      "random order, {} to {} times, at least {:g} mm deep and for at most {:g} s, and then answers the "
-      "question. Correct is the interval with the condition {}.",
-      protocol.task, intervals_per_trial(protocol), fmt::join(pair, " and "),
-      protocol.exploration.least_presses, protocol.exploration.most_presses,
-      1e3 * protocol.exploration.min_depth, protocol.exploration.max_time,
-      protocol.conditions[protocol.correct].name);
 }
 
 std::string codebook_markdown(const Table& table) {

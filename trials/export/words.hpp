@@ -16,7 +16,6 @@ std::string label_of(std::string_view name);
 std::string describe_dataset(const StudyFile& study);
 
 /// What the examinee does, in a sentence or two.
-std::string describe_task(const Protocol& protocol);
 
 /// A table's codebook as Markdown.
 std::string codebook_markdown(const Table& table);

@@ -116,15 +116,8 @@ std::optional<double> perceive(const Trace& felt, const Observer& observer, Gene
   return std::log(force_depth / depth_depth) + deviation * generator.normal();
 }
 
-int answer(const std::optional<double>& first, const std::optional<double>& second, const Observer& observer,
-           Generator& generator) {
-  const bool lapse = generator.uniform() < observer.parameters->lapse_rate;
-  const bool coin = generator.coin();
-  if (lapse || !first || !second) return coin ? 2 : 1;
-  const double deviation_of_difference = std::log1p(observer.weber_fraction) / kNormalAt75;
-  const double difference = *second - *first + observer.interval_bias * deviation_of_difference;
-  if (difference == 0.0) return coin ? 2 : 1;
-  return difference > 0.0 ? 2 : 1;
+double deviation_of_difference(const Observer& observer) {
+  return std::log1p(observer.weber_fraction) / kNormalAt75;
 }
 
 }  // namespace palpate::trials

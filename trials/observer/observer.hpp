@@ -89,9 +89,7 @@ IntervalRecord drive(const sim::Model& model, sim::Scratch& scratch, const std::
 /// moved through and the forces that it was given; empty when it felt no force.
 std::optional<double> perceive(const Trace& felt, const Observer& observer, Generator& generator);
 
-/// Which interval felt stiffer, 1 or 2; a coin decides a lapse, and where one interval gave nothing to
-/// compare.
-int answer(const std::optional<double>& first, const std::optional<double>& second, const Observer& observer,
-           Generator& generator);
+/// Standard deviation of the difference between two such percepts [-].
+double deviation_of_difference(const Observer& observer);
 
 }  // namespace palpate::trials

@@ -18,8 +18,8 @@ namespace {
 
 constexpr int kMostAttempts = 100;  // of one interval, before the observer is given up
 
-/// One who sits, and what was worked out for the trials that are left.
-struct Sitting {
+/// One who sits, and what was worked out for the trials that are drawn.
+struct PlayedSitting {
   Session session;
   std::future<std::vector<SimulatedTrial>> played;
 };
@@ -58,6 +58,16 @@ bool hand_in(Session& session, std::vector<SimulatedTrial> played, const std::fu
     if (!answered()) return false;
   }
   return true;
+}
+
+/// Puts a sitting through to its end; trials that its answers bring about are played as they are drawn.
+template <class Play>
+bool hand_in_all(PlayedSitting& sitting, const Play& play_drawn, const std::function<bool()>& answered) {
+  Session& session = sitting.session;
+  for (auto played = sitting.played.get();; played = play_drawn(session.row(), session.pending())) {
+    if (!hand_in(session, std::move(played), answered)) return false;
+    if (session.phase() == Phase::Finished) return true;
+  }
 }
 
 /// Whose sittings are to be run: all who have not finished.
@@ -134,7 +144,7 @@ SimulatedTrial play(const Protocol& protocol, const Stimuli& stimuli, const Obse
     }
     percepts.push_back(perceive(trial.presentations.back().trace, observer, mind));
   }
-  trial.response = answer(percepts.at(0), percepts.at(1), observer, mind);
+  trial.response = protocol.task->decide(percepts, observer, mind);
   return trial;
 }
 
@@ -179,7 +189,7 @@ void check_clamping(const Protocol& protocol, const Stimuli& stimuli, const Obse
   const Device& device = observer.device;
   for (std::size_t cell = 0; cell < protocol.cells.size(); ++cell) {
     double weakest = std::numeric_limits<double>::infinity();
-    for (const std::size_t condition : protocol.pair) {
+    for (const std::size_t condition : protocol.presented) {
       const sim::Model& model = *stimuli.at(stimulus_index(protocol, cell, condition));
       sim::Scratch scratch(model);
       const std::vector<sim::Vec3> pressed{observer.depth.mean * model.probes.front().direction};
@@ -203,22 +213,25 @@ SimulationReport simulate(StudyFile& study, const Protocol& protocol, const Stim
   const std::vector<int> numbers = unfinished(study.sessions(), plan, report);
   int total = static_cast<int>(numbers.size()) * trials_per_session(protocol);
 
+  const auto play_drawn = [&, person = person_seed(study, plan)](const SessionRow& sitting,
+                                                                 const std::vector<DrawnTrial>& pending) {
+    return play_all(protocol, stimuli, plan.observer, person, sitting, pending);
+  };
+
   // Examinees are played side by side, and handed in one after the other: the file's order never depends on
   // threads.
   const std::size_t side_by_side = std::max(1U, std::thread::hardware_concurrency());
   for (std::size_t first = 0; first < numbers.size(); first += side_by_side) {
-    std::vector<Sitting> sittings;
+    std::vector<PlayedSitting> sittings;
     for (std::size_t i = first; i < std::min(first + side_by_side, numbers.size()); ++i) {
       Session session = start_session(study, protocol, simulated_facts(plan, numbers[i]));
-      total -= trials_per_session(protocol) - static_cast<int>(session.pending().size());
-      auto played =
-          std::async(std::launch::async, play_all, std::cref(protocol), std::cref(stimuli),
-                     std::cref(plan.observer), person_seed(study, plan), session.row(), session.pending());
+      total -= session.answered();
+      auto played = std::async(std::launch::async, play_drawn, session.row(), session.pending());
       sittings.push_back({std::move(session), std::move(played)});
     }
-    for (Sitting& sitting : sittings) {
+    for (PlayedSitting& sitting : sittings) {
       const bool went_on =
-          hand_in(sitting.session, sitting.played.get(), [&] { return progress(++report.answers, total); });
+          hand_in_all(sitting, play_drawn, [&] { return progress(++report.answers, total); });
       if (went_on) continue;
       report.interrupted = report.answers < total;
       return report;

@@ -9,19 +9,33 @@ namespace {
 
 constexpr int kSitting = 1;  // everybody sits once
 
-void count(const Protocol& protocol, const Stimuli& stimuli, const ObserverParameters& parameters,
-           const SessionRow& sitting, std::vector<SittingCount>& counts) {
+void count(const Trial& trial, int response, bool correct, SittingCount& cell) {
+  ++cell.trials;
+  cell.correct_first += trial.correct_interval == 1 ? 1 : 0;
+  cell.answers_first += response == 1 ? 1 : 0;
+  cell.correct += correct ? 1 : 0;
+}
+
+/// Asks until the procedure has nothing left to ask, as a session does.
+void sit(const Protocol& protocol, const Stimuli& stimuli, const ObserverParameters& parameters,
+         const SessionRow& sitting, std::vector<SittingCount>& counts) {
   const Seed seed = sitting.facts.seed;
   Generator order = make_generator(seed, order_purpose(sitting.facts.examinee, sitting.number));
   Generator person = make_generator(seed, person_purpose(sitting.facts.examinee));
   const Observer observer = draw_observer(parameters, person);
-  for (const Trial& trial : draw_plan(protocol, order)) {
+  const std::vector<Trial> plan = draw_plan(protocol, order);
+  const Procedure& procedure = *protocol.procedure;
+  ProcedureState state = replay(procedure, protocol, levels_of(plan), {});
+  for (int number = 1;; ++number) {
+    Generator later = make_generator(seed, order_purpose(sitting.facts.examinee, sitting.number, number));
+    const std::optional<ChosenLevel> level = procedure.next(state, later);
+    if (!level) return;
+    const bool ahead = number <= std::ssize(plan);
+    const Trial trial = ahead ? plan[number - 1] : draw_trial(protocol, *level, number, later);
     const int response = play(protocol, stimuli, observer, sitting, {.trial = trial}).response;
-    SittingCount& cell = counts[trial.cell];
-    ++cell.trials;
-    cell.correct_first += trial.correct_interval == 1 ? 1 : 0;
-    cell.answers_first += response == 1 ? 1 : 0;
-    cell.correct += response == trial.correct_interval ? 1 : 0;
+    const bool correct = protocol.task->is_correct(trial, response);
+    count(trial, response, correct, counts[trial.cell]);
+    state = after(procedure, std::move(state), {.level = *level, .answer = response, .correct = correct});
   }
 }
 
@@ -39,7 +53,7 @@ std::vector<std::vector<SittingCount>> play_study(const Protocol& protocol, cons
     sitting.facts.examinee = simulated_code(number);
     sitting.facts.seed = seed;
     std::vector<SittingCount> of_cells(protocol.cells.size());
-    count(protocol, stimuli, observer, sitting, of_cells);
+    sit(protocol, stimuli, observer, sitting, of_cells);
     for (std::size_t cell = 0; cell < counts.size(); ++cell) counts[cell].push_back(of_cells[cell]);
   }
   return counts;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,18 +22,20 @@ struct Trial {
   bool operator==(const Trial&) const = default;
 };
 
-/// The order of one sitting: every cell trials_per_examinee_per_cell times in one random order
-/// (Fisher-Yates), and for each trial which interval comes first: a fair coin, or, where the protocol
-/// balances, either order in half of each cell's trials, in random sequence. To be stored trial by trial,
-/// never derived again.
+/// The questions of one sitting that are asked whatever is answered: the levels as the procedure draws them
+/// ahead, then the content of each as the task draws it. To be stored trial by trial, never derived again.
 std::vector<Trial> draw_plan(const Protocol& protocol, Generator& generator);
 
-/// What the order of a sitting is drawn for: the purpose of its generator.
-std::string order_purpose(std::string_view examinee, int sitting);
+/// The levels of a plan, as a procedure is told that they were drawn ahead.
+std::vector<ChosenLevel> levels_of(std::span<const Trial> plan);
 
-/// Draws the order of intervals of an interrupted trial again; its cell stays. A balanced order is kept,
-/// since a new draw of one trial would unbalance it.
-Trial redraw(const Protocol& protocol, Trial trial, Generator& generator);
+/// One question at a level that the procedure chose after answers.
+Trial draw_trial(const Protocol& protocol, ChosenLevel level, int number, Generator& generator);
+
+/// What the order of a sitting is drawn for: the purpose of its generator; and that of a trial which is drawn
+/// after answers.
+std::string order_purpose(std::string_view examinee, int sitting);
+std::string order_purpose(std::string_view examinee, int sitting, int trial);
 
 /// How many blocks progress is shown by: at most 4, of equal length to within one trial.
 int block_count(int trials_per_session);

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace palpate::trials {
 
@@ -34,5 +36,14 @@ using Seed = std::optional<std::uint64_t>;
 /// from the operating system, whatever the purpose. Throws std::system_error when the system has no entropy
 /// to give.
 Generator make_generator(Seed seed, std::string_view purpose);
+
+/// Fisher-Yates: every order is as likely as any other.
+template <typename Item>
+void shuffle(std::vector<Item>& items, Generator& generator) {
+  for (std::size_t last = items.size(); last > 1; --last) {
+    const std::size_t other = generator.below(last);
+    std::swap(items[last - 1], items[other]);
+  }
+}
 
 }  // namespace palpate::trials

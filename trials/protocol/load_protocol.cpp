@@ -64,8 +64,9 @@ void check_depth(const Protocol& protocol, const std::vector<sim::Scene>& scenes
           protocol.scene_file.string(), 1e3 * scene.probes.front().depth));
 }
 
-void check_pair_differs(const Protocol& protocol, const std::vector<sim::Scene>& scenes) {
-  const auto [first, second] = protocol.pair;
+/// Throws when the conditions are one scene in one of the cells.
+void check_differ(const Protocol& protocol, const std::vector<sim::Scene>& scenes, std::size_t first,
+                  std::size_t second) {
   for (std::size_t cell = 0; cell < protocol.cells.size(); ++cell)
     if (feel_alike(scenes[stimulus_index(protocol, cell, first)],
                    scenes[stimulus_index(protocol, cell, second)]))
@@ -75,8 +76,14 @@ void check_pair_differs(const Protocol& protocol, const std::vector<sim::Scene>&
                          protocol.factors.empty() ? "" : " with " + protocol.cells[cell].name));
 }
 
+void check_conditions_differ(const Protocol& protocol, const std::vector<sim::Scene>& scenes) {
+  for (std::size_t b = 1; b < protocol.presented.size(); ++b)
+    for (std::size_t a = 0; a < b; ++a)
+      check_differ(protocol, scenes, protocol.presented[a], protocol.presented[b]);
+}
+
 void check_levels_differ(const Protocol& protocol, const std::vector<sim::Scene>& scenes) {
-  for (const std::size_t condition : protocol.pair)
+  for (const std::size_t condition : protocol.presented)
     for (std::size_t b = 1; b < protocol.cells.size(); ++b)
       for (std::size_t a = 0; a < b; ++a)
         if (feel_alike(scenes[stimulus_index(protocol, a, condition)],
@@ -105,7 +112,7 @@ Protocol load_protocol(const std::filesystem::path& file) {
   const sim::Scene scene = sim::load_scene(protocol.scene_file);
   check_one_by_one(protocol);
   const std::vector<sim::Scene> scenes = scenes_of(protocol);
-  check_pair_differs(protocol, scenes);
+  check_conditions_differ(protocol, scenes);
   check_levels_differ(protocol, scenes);
   check_depth(protocol, scenes);
 

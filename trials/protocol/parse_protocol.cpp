@@ -6,41 +6,22 @@
 #include <stdexcept>
 
 #include "base/files/sha256.hpp"
-#include "base/text/toml_reader.hpp"
-#include "trials/protocol/protocol.hpp"
+#include "trials/protocol/reading.hpp"
 
 namespace palpate::trials {
 namespace {
 
 using base::Dimension;
 using base::TomlReader;
-using Words = std::initializer_list<std::string_view>;
+using Words = std::vector<std::string_view>;
 
-constexpr std::int64_t kMostTrials = 1000;  // of one cell in one sitting: more is a slip of the keyboard
+constexpr std::int64_t kMostPresses = 1000;  // in an interval: more is a slip of the keyboard
 constexpr std::int64_t kMostExaminees = 100000;
 constexpr double kLeastTime = 0.5;  // of an interval [s]
 
 TomlReader section(TomlReader& reader, std::string_view key, std::string_view accepted) {
   reader.required(key, accepted);
   return *reader.table(key);
-}
-
-/// One word of `accepted`; words of `later` are known to the design but not to this version.
-std::string word(TomlReader& reader, std::string_view key, Words accepted, Words later = {}) {
-  reader.required(key, fmt::format("accepted: {}", fmt::join(accepted, ", ")));
-  std::string found = *reader.text(key);
-  if (std::ranges::find(accepted, found) != accepted.end()) return found;
-  const bool known = std::ranges::find(later, found) != later.end();
-  reader.refuse(key, fmt::format("found \"{}\"{}, accepted: {}", found,
-                                 known ? ", which is not in this version" : "", fmt::join(accepted, ", ")));
-}
-
-int whole_number(TomlReader& reader, std::string_view key, std::int64_t least, std::int64_t most) {
-  reader.required(key, fmt::format("accepted: a whole number from {} to {}", least, most));
-  const std::int64_t found = *reader.integer(key);
-  if (found < least || found > most)
-    reader.refuse(key, fmt::format("found {}, accepted: a whole number from {} to {}", found, least, most));
-  return static_cast<int>(found);
 }
 
 void check_name(const TomlReader& reader, std::string_view key, std::string_view name) {
@@ -98,45 +79,28 @@ Factor read_factor(TomlReader& reader, const std::string& key) {
   return factor;
 }
 
-std::size_t condition_index(TomlReader& reader, std::string_view key, const Protocol& protocol,
-                            const std::string& name) {
-  const auto found = std::ranges::find(protocol.conditions, name, &Condition::name);
-  if (found != protocol.conditions.end())
-    return static_cast<std::size_t>(found - protocol.conditions.begin());
-  std::vector<std::string> names;
-  for (const Condition& condition : protocol.conditions) names.push_back(condition.name);
-  reader.refuse(key, fmt::format("\"{}\" is no condition of this protocol; accepted: {}", name,
-                                 fmt::join(names, ", ")));
+/// The member of a kind that the table's key `kind` names; those of `later` are not in this version.
+template <class Member>
+const Member* named(TomlReader& table, std::span<const Member* const> members, const Words& later) {
+  Words names;
+  for (const Member* member : members) names.push_back(member->name);
+  const std::string found = word(table, "kind", names, later);
+  return *std::ranges::find(members, found, &Member::name);
 }
 
 void read_task(TomlReader task, Protocol& protocol) {
-  protocol.task =
-      word(task, "kind", {"2IFC"},
-           {"2AFC", "yes/no", "same-different", "ABX", "oddity", "magnitude estimation", "rating"});
-  task.required("pair", "accepted: two conditions such as [\"soft\", \"hard\"]");
-  const auto pair = *task.texts("pair");
-  if (pair.size() != 2 || pair[0] == pair[1])
-    task.refuse("pair", "accepted: two different conditions such as [\"soft\", \"hard\"]");
-  for (std::size_t i = 0; i < 2; ++i) protocol.pair[i] = condition_index(task, "pair", protocol, pair[i]);
-  const std::string correct = task.required_text("correct");
-  protocol.correct = condition_index(task, "correct", protocol, correct);
-  if (std::ranges::find(pair, correct) == pair.end())
-    task.refuse("correct",
-                fmt::format("\"{}\" is not in the pair; accepted: {}", correct, fmt::join(pair, ", ")));
+  protocol.task = named(
+      task, tasks(), {"2AFC", "yes/no", "same-different", "ABX", "oddity", "magnitude estimation", "rating"});
+  protocol.task->read(task, protocol);
   task.refuse_unknown();
 }
 
 void read_procedure_and_order(TomlReader procedure, TomlReader order, Protocol& protocol) {
-  protocol.procedure = word(procedure, "kind", {"constant"}, {"staircase", "QUEST+"});
-  protocol.trials_per_examinee_per_cell =
-      whole_number(procedure, "trials_per_examinee_per_cell", 1, kMostTrials);
+  protocol.procedure = named(procedure, procedures(), {"staircase", "QUEST+"});
+  protocol.procedure->read(procedure, protocol);
   procedure.refuse_unknown();
-  protocol.cell_order = word(order, "cells", {"shuffled"}, {"blocked", "balanced"});
-  protocol.interval_order = word(order, "interval", {"coin", "balanced"});
-  if (protocol.interval_order == "balanced" && protocol.trials_per_examinee_per_cell % 2 != 0)
-    order.refuse("interval", fmt::format("balances the two orders, and {} trials of a cell cannot be halved; "
-                                         "accepted: an even trials_per_examinee_per_cell, or \"coin\"",
-                                         protocol.trials_per_examinee_per_cell));
+  protocol.cell_order = word(order, "cells", kCellOrderWords, Words{"blocked", "balanced"});
+  protocol.task->read_order(order, protocol);
   order.refuse_unknown();
 }
 
@@ -147,7 +111,7 @@ void read_exploration(TomlReader reader, Exploration& rule) {
   const bool numbers = presses.size() == 2 && presses[0].is_integer() && presses[1].is_integer();
   const std::int64_t least = numbers ? *presses[0].value<std::int64_t>() : 0;
   const std::int64_t most = numbers ? *presses[1].value<std::int64_t>() : 0;
-  if (least < 1 || most < least || most > kMostTrials)
+  if (least < 1 || most < least || most > kMostPresses)
     reader.refuse(
         "presses",
         fmt::format("{}; accepted: the least and the most, 1 <= least <= most, such as [1, 5]",
@@ -168,10 +132,10 @@ void read_exploration(TomlReader reader, Exploration& rule) {
 /// Looks at the results before the sample is complete, by how many examinees are complete then.
 void read_looks(TomlReader& reader, Protocol& protocol) {
   AnalysisPlan& plan = protocol.analysis;
-  if (protocol.interval_order != "coin")
+  if (protocol.interval_order != IntervalOrder::Coin)
     reader.refuse("looks",
                   "are planned for the exact binomial test; accepted with order.interval = \"coin\" only");
-  if (plan.side == "two-sided")
+  if (plan.side == Side::TwoSided)
     reader.refuse("looks", "are planned for one-sided tests; accepted with side = \"greater\" or \"less\"");
   int before = 0;
   for (const toml::node& item : reader.as_array("looks", *reader.node("looks"), "numbers of examinees")) {
@@ -186,26 +150,19 @@ void read_looks(TomlReader& reader, Protocol& protocol) {
   if (before != protocol.planned_examinees)
     reader.refuse("looks", fmt::format("ends with {}; accepted: the last look is at all {} planned examinees",
                                        before, protocol.planned_examinees));
-  plan.spending = word(reader, "spending", {"obrien-fleming", "pocock"});
+  plan.spending = word(reader, "spending", Words{"obrien-fleming", "pocock"});
 }
 
 void read_analysis(TomlReader reader, Protocol& protocol) {
   AnalysisPlan& plan = protocol.analysis;
-  plan.primary = word(reader, "primary", {"paired-comparison", "order-randomisation"});
-  const bool coin = protocol.interval_order == "coin";
-  if (coin != (plan.primary == "paired-comparison"))
-    reader.refuse(
-        "primary",
-        coin ? "found \"order-randomisation\", which is for balanced orders; accepted with order.interval "
-               "= \"coin\": \"paired-comparison\", which is the same test there"
-             : "found \"paired-comparison\", which holds for coin flips only; accepted with "
-               "order.interval = \"balanced\": \"order-randomisation\"");
+  plan.primary = word(reader, "primary", kPrimaryAnalysisWords);
+  protocol.task->check_primary(reader, protocol);
   plan.alpha = reader.required_number("alpha");
   if (!(plan.alpha > 0.0 && plan.alpha < 1.0))
     reader.refuse("alpha", fmt::format("found {}, accepted: greater than 0 and less than 1", plan.alpha));
-  plan.side = word(reader, "side", {"greater", "less", "two-sided"});
+  plan.side = word(reader, "side", kSideWords);
   if (reader.has("between_models")) {
-    plan.between_models = word(reader, "between_models", {"sign-flip", "wilcoxon"});
+    plan.between_models = word(reader, "between_models", Words{"sign-flip", "wilcoxon"});
     if (protocol.cells.size() != 2)
       reader.refuse(
           "between_models",
@@ -218,11 +175,9 @@ void read_analysis(TomlReader reader, Protocol& protocol) {
 }
 
 DuringInterval read_display(TomlReader reader) {
-  const std::string found = word(reader, "during_interval", {"hidden", "probe", "organs"});
+  const DuringInterval found = word(reader, "during_interval", kDuringIntervalWords);
   reader.refuse_unknown();
-  for (const DuringInterval display : {DuringInterval::Probe, DuringInterval::Organs})
-    if (to_string(display) == found) return display;
-  return DuringInterval::Hidden;
+  return found;
 }
 
 }  // namespace

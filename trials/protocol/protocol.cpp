@@ -37,27 +37,11 @@ Stimulus make_stimulus(const Protocol& protocol, std::size_t cell, std::size_t c
 }
 
 std::string order_in_words(const Protocol& protocol, const PlanSummary& plan) {
-  const std::string& correct = protocol.conditions[protocol.correct].name;
-  const std::string cells = fmt::format(
-      "All {} trials of a sitting come in one random order, whatever their cell. ", plan.trials_per_session);
-  if (protocol.interval_order == "balanced")
-    return cells + fmt::format(
-                       "In each cell \"{}\" comes first in exactly half of the {} trials, in random "
-                       "sequence. Nobody is told whether an answer was right, so that counting the "
-                       "orders helps no more than guessing: {:.0f} % right.",
-                       correct, protocol.trials_per_examinee_per_cell, 100 * plan.best_guess);
-  return cells + fmt::format(
-                     "Before each trial a fair coin decides which interval holds \"{}\"; flips are "
-                     "independent, so that whoever feels nothing is right in {:.0f} % of the trials "
-                     "whatever rule is followed, and may be right or wrong many times in a row.",
-                     correct, 100 * plan.best_guess);
+  return fmt::format("All {} trials of a sitting come in one random order, whatever their cell. {}",
+                     plan.trials_per_session, protocol.task->order_in_words(protocol));
 }
 
 }  // namespace
-
-int intervals_per_trial(const Protocol& protocol) {
-  return static_cast<int>(protocol.pair.size());
-}
 
 int trials_per_session(const Protocol& protocol) {
   return static_cast<int>(protocol.cells.size()) * protocol.trials_per_examinee_per_cell;
@@ -90,22 +74,25 @@ PlanSummary describe(const Protocol& protocol) {
   summary.planned_examinees = protocol.planned_examinees;
   summary.trials_per_cell = protocol.planned_examinees * protocol.trials_per_examinee_per_cell;
   for (const Cell& cell : protocol.cells) summary.cells.push_back(cell.name);
-  // Nobody is told whether an answer was right: whatever was answered before, the next trial is a fair guess.
-  summary.best_guess = 1.0 / intervals_per_trial(protocol);
+  summary.best_guess = protocol.task->chance;
   summary.order = order_in_words(protocol, summary);
   return summary;
 }
 
 std::string_view to_string(DuringInterval display) {
-  switch (display) {
-    case DuringInterval::Hidden:
-      return "hidden";
-    case DuringInterval::Probe:
-      return "probe";
-    case DuringInterval::Organs:
-      return "organs";
-  }
-  return "";
+  return base::word_of(kDuringIntervalWords, display);
+}
+std::string_view to_string(CellOrder order) {
+  return base::word_of(kCellOrderWords, order);
+}
+std::string_view to_string(IntervalOrder order) {
+  return base::word_of(kIntervalOrderWords, order);
+}
+std::string_view to_string(PrimaryAnalysis analysis) {
+  return base::word_of(kPrimaryAnalysisWords, analysis);
+}
+std::string_view to_string(Side side) {
+  return base::word_of(kSideWords, side);
 }
 
 }  // namespace palpate::trials

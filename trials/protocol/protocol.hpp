@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -8,7 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include "base/text/enum_words.hpp"
 #include "sim/scene/scene.hpp"
+#include "trials/procedure/procedure.hpp"
+#include "trials/task/task.hpp"
 
 namespace palpate::trials {
 
@@ -49,6 +51,30 @@ struct FileHash {
 };
 
 enum class DuringInterval { Hidden, Probe, Organs };
+inline constexpr base::EnumWords<DuringInterval, 3> kDuringIntervalWords{
+    {{DuringInterval::Hidden, "hidden"},
+     {DuringInterval::Probe, "probe"},
+     {DuringInterval::Organs, "organs"}}};
+
+/// In which order the cells of a sitting come.
+enum class CellOrder { Shuffled };
+inline constexpr base::EnumWords<CellOrder, 1> kCellOrderWords{{{CellOrder::Shuffled, "shuffled"}}};
+
+/// How it is drawn what the intervals of a question hold: by independent coin flips, or every order equally
+/// often within a cell.
+enum class IntervalOrder { Coin, Balanced };
+inline constexpr base::EnumWords<IntervalOrder, 2> kIntervalOrderWords{
+    {{IntervalOrder::Coin, "coin"}, {IntervalOrder::Balanced, "balanced"}}};
+
+enum class PrimaryAnalysis { PairedComparison, OrderRandomisation };
+inline constexpr base::EnumWords<PrimaryAnalysis, 2> kPrimaryAnalysisWords{
+    {{PrimaryAnalysis::PairedComparison, "paired-comparison"},
+     {PrimaryAnalysis::OrderRandomisation, "order-randomisation"}}};
+
+/// On which side of chance the primary test looks.
+enum class Side { Greater, Less, TwoSided };
+inline constexpr base::EnumWords<Side, 3> kSideWords{
+    {{Side::Greater, "greater"}, {Side::Less, "less"}, {Side::TwoSided, "two-sided"}}};
 
 /// What an examinee must do in an interval before it counts.
 struct Exploration {
@@ -58,18 +84,17 @@ struct Exploration {
   double max_time = 0.0;   // [s]
 };
 
-/// What the protocol decides about its analysis beforehand; the words are those of the file.
+/// What the protocol decides about its analysis beforehand; texts are the words of the file.
 struct AnalysisPlan {
-  std::string primary;                        // "paired-comparison", "order-randomisation"
-  double alpha = 0.05;                        // in (0, 1)
-  std::string side;                           // "greater", "two-sided"
+  PrimaryAnalysis primary = PrimaryAnalysis::PairedComparison;
+  double alpha = 0.05;  // in (0, 1)
+  Side side = Side::Greater;
   std::optional<std::string> between_models;  // "sign-flip", "wilcoxon"
   std::vector<int> looks{};  // complete examinees at each planned look; empty: at the end only
   std::string spending{};    // of alpha over the looks: "obrien-fleming", "pocock"
 };
 
-/// A study's design, read and validated. In this version: task 2IFC, constant stimuli, cells shuffled,
-/// intervals by coin flips or balanced.
+/// A study's design, read and validated.
 struct Protocol {
   std::string name;
   std::filesystem::path file;        // where it was read
@@ -82,13 +107,13 @@ struct Protocol {
   std::string question;
   std::vector<Condition> conditions;  // in the order of the file
   std::vector<Factor> factors;
-  std::string task = "2IFC";
-  std::array<std::size_t, 2> pair{};  // conditions that are compared, in the order of the file
-  std::size_t correct = 0;            // the one of the pair whose interval is the correct answer
-  std::string procedure = "constant";
+  const Task* task = nullptr;
+  std::vector<std::size_t> presented{};  // conditions that questions present, in the order of the file
+  std::size_t correct = 0;               // the one of them that the correct answer points at
+  const Procedure* procedure = nullptr;
   int trials_per_examinee_per_cell = 0;
-  std::string cell_order = "shuffled";
-  std::string interval_order = "coin";
+  CellOrder cell_order = CellOrder::Shuffled;
+  IntervalOrder interval_order = IntervalOrder::Coin;
   Exploration exploration{};
   DuringInterval during_interval = DuringInterval::Hidden;
   int planned_examinees = 0;
@@ -97,9 +122,6 @@ struct Protocol {
   std::vector<Cell> cells;        // every combination of factor levels, the last factor fastest
   std::vector<Stimulus> stimuli;  // cell-major: stimulus_index() finds one
 };
-
-/// Intervals of a trial of `protocol`: 2 for 2IFC.
-int intervals_per_trial(const Protocol& protocol);
 
 /// Trials in one sitting: cells times trials per cell.
 int trials_per_session(const Protocol& protocol);
@@ -134,5 +156,9 @@ struct PlanSummary {
 PlanSummary describe(const Protocol& protocol);
 
 std::string_view to_string(DuringInterval display);
+std::string_view to_string(CellOrder order);
+std::string_view to_string(IntervalOrder order);
+std::string_view to_string(PrimaryAnalysis analysis);
+std::string_view to_string(Side side);
 
 }  // namespace palpate::trials

@@ -23,7 +23,7 @@ Stimuli compile_stimuli(const Protocol& protocol, sim::ComplianceCache& cache) {
   Stimuli models(protocol.stimuli.size());
   for (std::size_t i = 0; i < models.size(); ++i) {
     const Stimulus& stimulus = protocol.stimuli[i];
-    if (std::ranges::find(protocol.pair, stimulus.condition) != protocol.pair.end())
+    if (std::ranges::find(protocol.presented, stimulus.condition) != protocol.presented.end())
       models[i] = std::make_shared<const sim::Model>(compile_stimulus(protocol, stimulus, cache));
   }
   return models;

@@ -10,7 +10,7 @@
 namespace palpate::trials {
 
 /// What can be felt in a study: a compiled scene for each of Protocol::stimuli that a trial can present (its
-/// condition is one of the pair), null for the others. Compiled once, shared by sittings and threads.
+/// condition is presented), null for the others. Compiled once, shared by sittings and threads.
 using Stimuli = std::vector<std::shared_ptr<const sim::Model>>;
 
 /// Throws std::invalid_argument as sim::compile() does, with the condition and the cell.

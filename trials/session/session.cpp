@@ -37,7 +37,6 @@ std::size_t Session::State::condition() const {
 void Session::State::start_trial() {
   interval = 1;
   attempt = 0;
-  again.clear();
   phase = pending.empty() ? Phase::Finished : Phase::Ready;
 }
 
@@ -54,13 +53,31 @@ void Session::State::store_end(const IntervalRecord& record, Verdict verdict) {
   stores.presentations.end(end, encoded);
 }
 
+std::optional<DrawnTrial> Session::State::draw_next(const ProcedureState& told) {
+  const int number = static_cast<int>(told.told) + 1;
+  Generator generator = make_generator(row.facts.seed, order_purpose(row.facts.examinee, row.number, number));
+  const std::optional<ChosenLevel> level = protocol.procedure->next(told, generator);
+  if (!level) append_event(event_kind::kEnded, "every trial is answered");
+  if (!level || told.told < told.ahead.size()) return std::nullopt;
+  const DrawnTrial next{
+      .session = row.id, .draw = 0, .trial = draw_trial(protocol, *level, number, generator)};
+  stores.trials.add(next);
+  stores.append({.session = row.id,
+                 .trial = number,
+                 .kind = std::string(event_kind::kDrawn),
+                 .text = drawn_again_text(stores.design, next, {}),
+                 .utc = base::utc_now()});
+  return next;
+}
+
 DrawnTrial Session::State::draw_again() {
   DrawnTrial next = pending.front();
   ++next.draw;
   Generator generator = make_generator(
-      row.facts.seed, fmt::format("order of {}, sitting {}, trial {}, draw {}", row.facts.examinee,
-                                  row.number, next.trial.number, next.draw));
-  next.trial = redraw(protocol, next.trial, generator);
+      row.facts.seed,
+      fmt::format("{}, draw {}", order_purpose(row.facts.examinee, row.number, next.trial.number),
+                  next.draw));
+  protocol.task->redraw(protocol, next.trial, generator);
   stores.trials.add(next);
   const auto felt = presentations_of(stores.presentations.of_session(row.id), pending.front());
   append_event(event_kind::kDrawnAgain, drawn_again_text(stores.design, next, felt));
@@ -74,6 +91,10 @@ void Session::State::append_event(std::string_view kind, std::string_view text) 
   event.text = text;
   event.utc = base::utc_now();
   stores.append(event);
+}
+
+Told told_of(const DrawnTrial& drawn, const AnswerRow& answer) {
+  return {.level = {.cell = drawn.trial.cell}, .answer = answer.response, .correct = answer.correct};
 }
 
 Session::Session(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -90,6 +111,9 @@ const Trial& Session::trial() const {
 const std::vector<DrawnTrial>& Session::pending() const {
   return state_->pending;
 }
+int Session::answered() const {
+  return static_cast<int>(state_->procedure.told);
+}
 const SessionRow& Session::row() const {
   return state_->row;
 }
@@ -102,11 +126,13 @@ SessionView Session::view() const {
   const bool done = state.phase == Phase::Finished;
   SessionView view{.phase = state.phase};
   view.interval = done || state.phase == Phase::Question ? 0 : state.interval;
-  view.intervals = intervals_per_trial(state.protocol);
+  view.intervals = state.protocol.task->intervals;
   view.blocks = block_count(trials_per_session(state.protocol));
   view.block = done ? view.blocks : state.pending.front().trial.block;
   view.question = state.protocol.question;
-  view.again = state.again;
+  view.choices = state.protocol.task->choices;
+  view.hint = state.protocol.task->hint;
+  view.spoken_hint = state.protocol.task->spoken_hint;
   view.resumed = state.resumed;
   view.run_mode = state.row.facts.run_mode;
   view.pseudo_haptic = state.row.facts.pseudo_haptic;
@@ -129,7 +155,6 @@ void Session::begin_interval() {
   row.begun_utc = base::utc_now();
   commit(state, [&] { state.presentation = state.stores.presentations.begin(row); });
   ++state.attempt;
-  state.again.clear();
   state.phase = Phase::Interval;
 }
 
@@ -139,9 +164,8 @@ Verdict Session::end_interval(const IntervalRecord& record) {
   const Verdict verdict = judge(summarise(record.trace), state.protocol.exploration);
   commit(state, [&] { state.store_end(record, verdict); });
   state.phase = Phase::Pause;
-  if (verdict != Verdict::Enough) {
-    state.again = to_string(verdict);
-  } else if (state.interval == intervals_per_trial(state.protocol)) {
+  if (verdict != Verdict::Enough) return verdict;
+  if (state.interval == state.protocol.task->intervals) {
     state.phase = Phase::Question;
   } else {
     ++state.interval;
@@ -166,24 +190,28 @@ void Session::interrupt(const IntervalRecord& felt_so_far, std::string_view reas
 void Session::answer(int response, std::optional<double> response_time, std::string_view onset_utc) {
   State& state = *state_;
   state.expect({Phase::Question}, "answer");
-  const int intervals = intervals_per_trial(state.protocol);
-  if (response < 1 || response > intervals)
-    throw std::invalid_argument(
-        fmt::format("answer: found {}, accepted: the number of an interval, 1 to {}", response, intervals));
+  const Task& task = *state.protocol.task;
+  if (response < 1 || response > std::ssize(task.choices))
+    throw std::invalid_argument(fmt::format("answer: found {}, accepted: {}, 1 to {}", response,
+                                            task.answer_is, task.choices.size()));
   const DrawnTrial& drawn = state.pending.front();
   AnswerRow row{
       .session = drawn.session, .trial = drawn.trial.number, .draw = drawn.draw, .response = response};
-  row.correct = response == drawn.trial.correct_interval;
+  row.correct = task.is_correct(drawn.trial, response);
   row.response_time = response_time;
   row.onset_utc = onset_utc;
+  const ProcedureState told = after(*state.protocol.procedure, state.procedure, told_of(drawn, row));
+  std::optional<DrawnTrial> next;
   commit(state, [&] {
     row.committed_utc = base::utc_now();
     const auto felt = presentations_of(state.stores.presentations.of_session(row.session), drawn);
     const std::string text = canonical_text(state.stores.design, state.row, drawn, felt, row);
     state.stores.answers.add(state.stores.ledger.append(state.stores.study, text), row);
-    if (state.pending.size() == 1) state.append_event(event_kind::kEnded, "every trial is answered");
+    next = state.draw_next(told);
   });
+  state.procedure = told;
   state.pending.erase(state.pending.begin());
+  if (next) state.pending.push_back(*next);
   state.start_trial();
 }
 

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,7 +29,8 @@ struct SessionView {
   int block = 0;      // from 1: what progress is shown by
   int blocks = 0;
   std::string question{};
-  std::string again{};  // why the coming interval is shown again; empty when it is not
+  std::span<const Choice> choices{};       // what can be answered: answer k is choices[k - 1]
+  std::string_view hint{}, spoken_hint{};  // how to answer, to read and to hear
   bool resumed = false;
   RunMode run_mode = RunMode::Study;
   bool pseudo_haptic = false;
@@ -49,9 +51,10 @@ class Session {
   /// For the haptic loop only, never for the page: which of Protocol::stimuli the coming (or running)
   /// interval presents. Valid in Ready, Pause before an interval, and Interval.
   std::size_t stimulus() const;
-  const Trial& trial() const;                      // that is asked
-  const std::vector<DrawnTrial>& pending() const;  // unanswered trials, the one that is asked first
-  int remaining_trials() const { return static_cast<int>(pending().size()); }
+  const Trial& trial() const;  // that is asked
+  /// Trials that are drawn and unanswered, the one that is asked first. Answers may add to them.
+  const std::vector<DrawnTrial>& pending() const;
+  int answered() const;  // trials
   const SessionRow& row() const;
 
   /// Ready or Pause -> Interval. Stores that the interval was begun, so that a kill leaves the exposure
@@ -62,7 +65,8 @@ class Session {
   /// The interval was cut off (page closed, device lost): what was felt is stored, and the trial starts anew
   /// with its order drawn again. Interval, Pause or Question -> Ready.
   void interrupt(const IntervalRecord& felt_so_far, std::string_view reason);
-  /// Question -> Ready or Finished. `response` is the interval's number, from 1.
+  /// Question -> Ready or Finished. `response` is the number of a choice, from 1. Where the
+  /// procedure chooses the next trial by it, that is drawn and stored with the answer, before it is shown.
   /// @param response_time  from the question's onset, monotonic clock [s]; none for a simulated observer
   void answer(int response, std::optional<double> response_time, std::string_view onset_utc);
 
@@ -92,7 +96,8 @@ void check_start(const std::filesystem::path& path, const Protocol& protocol, co
 void check_not_shared(const SessionRow& session, std::string_view examinee, RunMode run_mode);
 
 /// Resumes the examinee's unfinished sitting of this run mode at its first unanswered trial (whose order is
-/// drawn again when any of it had been felt), or begins a new one. `study` and `protocol` must outlive the
+/// drawn again when any of it had been felt; the procedure hears of the stored answers anew), or begins a new
+/// one. `study` and `protocol` must outlive the
 /// session. Until `study` is closed no other program leads a session in it: std::runtime_error when one does.
 Session start_session(StudyFile& study, const Protocol& protocol, const SessionFacts& facts,
                       bool new_session = false);

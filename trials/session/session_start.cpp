@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
 #include <stdexcept>
 
 #include "base/clock/utc.hpp"
@@ -73,6 +75,25 @@ void check_against(const std::vector<SessionRow>& sessions, const SessionFacts& 
                     facts.examinee, to_string(facts.run_mode)));
 }
 
+/// The procedure's state, made anew from what was drawn ahead and answered.
+ProcedureState replayed(const StudyFile::Stores& stores, const Protocol& protocol, std::int64_t session) {
+  std::set<int> drawn_later;
+  for (const EventRow& event : stores.events.all())
+    if (event.session == session && event.kind == event_kind::kDrawn && event.trial)
+      drawn_later.insert(*event.trial);
+  std::vector<ChosenLevel> ahead;
+  std::map<int, DrawnTrial> trials;
+  for (const DrawnTrial& drawn : stores.trials.of_session(session)) {
+    if (drawn.draw == 0 && !drawn_later.contains(drawn.trial.number))
+      ahead.push_back({.cell = drawn.trial.cell});
+    trials.insert_or_assign(drawn.trial.number, drawn);
+  }
+  std::vector<Told> answers;
+  for (const AnswerRow& answer : stores.answers.of_session(session))
+    answers.push_back(told_of(trials.at(answer.trial), answer));
+  return replay(*protocol.procedure, protocol, std::move(ahead), answers);
+}
+
 /// The last draw of each trial that has no answer yet, in order.
 std::vector<DrawnTrial> unanswered(const StudyFile::Stores& stores, std::int64_t session) {
   std::vector<DrawnTrial> pending;
@@ -98,7 +119,9 @@ void Session::State::begin(const SessionFacts& facts, const std::vector<SessionR
   row.started_utc = base::utc_now();
   row.id = stores.sessions.add(row);
   Generator generator = make_generator(facts.seed, order_purpose(facts.examinee, row.number));
-  for (Trial& trial : draw_plan(protocol, generator)) {
+  std::vector<Trial> plan = draw_plan(protocol, generator);
+  procedure = replay(*protocol.procedure, protocol, levels_of(plan), {});
+  for (Trial& trial : plan) {
     pending.push_back({.session = row.id, .draw = 0, .trial = std::move(trial)});
     stores.trials.add(pending.back());
   }
@@ -108,12 +131,14 @@ void Session::State::begin(const SessionFacts& facts, const std::vector<SessionR
                  .kind = std::string(event_kind::kBegun),
                  .text = begun_text(stores.design, row, pending),
                  .utc = row.started_utc});
+  if (const auto first = draw_next(procedure)) pending.push_back(*first);
 }
 
 void Session::State::resume(const SessionRow& unfinished, const SessionFacts& now) {
   row = unfinished;
   resumed = true;
   pending = unanswered(stores, row.id);
+  procedure = replayed(stores, protocol, row.id);
   append_event(event_kind::kResumed, fmt::format("palpate {} on {}", now.software_version, now.machine));
   // Whatever was felt of the trial that was cut off must not help with its answer.
   if (!presentations_of(stores.presentations.of_session(row.id), pending.front()).empty())

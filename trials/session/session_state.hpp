@@ -18,10 +18,10 @@ struct Session::State {
   const Protocol& protocol;
   SessionRow row{};
   std::vector<DrawnTrial> pending{};  // unanswered trials as last drawn, the next one first
+  ProcedureState procedure{};         // after the answers that are stored
   Phase phase = Phase::Ready;
   int interval = 1;               // that runs or comes next
   int attempt = 0;                // of that interval: presentations begun
-  std::string again{};            // why it is shown again
   std::int64_t presentation = 0;  // that runs
   bool resumed = false;
 
@@ -30,6 +30,9 @@ struct Session::State {
   std::size_t condition() const;  // of the interval that runs or comes next
 
   void store_end(const IntervalRecord& record, Verdict verdict);
+  /// What is asked after the answers that `told` knows of. A trial that was not drawn ahead is drawn, stored
+  /// with its event, and returned; where nothing is left to ask, the sitting's end is stored.
+  std::optional<DrawnTrial> draw_next(const ProcedureState& told);
   DrawnTrial draw_again();  // stores the next draw of the current trial, with its event, and returns it
   void append_event(std::string_view kind, std::string_view text);
   void start_trial();  // the first interval comes next; writes nothing
@@ -37,5 +40,8 @@ struct Session::State {
   void begin(const SessionFacts& facts, const std::vector<SessionRow>& earlier);
   void resume(const SessionRow& unfinished, const SessionFacts& now);
 };
+
+/// What the procedure hears of an answer.
+Told told_of(const DrawnTrial& drawn, const AnswerRow& answer);
 
 }  // namespace palpate::trials

@@ -12,12 +12,12 @@ namespace event_kind {
 constexpr std::string_view kVoided = "voided";           // the trial does not count; the text is the reason
 constexpr std::string_view kBegun = "session begun";     // the text: the sitting's facts, hash of its plan
 constexpr std::string_view kDrawnAgain = "drawn again";  // the text: the trial, hash of what was felt before
+constexpr std::string_view kDrawn = "drawn";  // a trial that depended on answers; the text: the trial
 constexpr std::string_view kInterrupted = "interrupted";
 constexpr std::string_view kResumed = "resumed";
 constexpr std::string_view kEnded = "session ended";
 constexpr std::string_view kEarlyKey = "early key";
 constexpr std::string_view kStrategy = "strategy";
-constexpr std::string_view kChecklist = "checklist";
 constexpr std::string_view kMerged = "merged";  // the file was joined from others; the text tells of which
 }  // namespace event_kind
 

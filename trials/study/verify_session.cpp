@@ -90,15 +90,37 @@ void check_plan(const Protocol& design, const std::string& who, const std::vecto
                    design.cells[cell].name, design.trials_per_examinee_per_cell);
 }
 
-/// The sitting's facts and the orders as first drawn are those that were hashed when it began.
+/// Each trial that was drawn after answers is the one that was hashed then.
+void check_drawn_later(const SittingInFile& in, const std::string& who, const std::vector<EventRow>& drawn,
+                       const std::vector<DrawnTrial>& trials, FirstProblems& problems) {
+  for (const EventRow& event : drawn) {
+    const std::string place = fmt::format("{}, trial {}", who, event.trial.value_or(0));
+    const auto found = std::ranges::find_if(trials, [&](const DrawnTrial& trial) {
+      return trial.trial.number == event.trial && trial.draw == 0;
+    });
+    if (found == trials.end()) {
+      problems.add("{}: the chain tells of its draw, and it is missing", place);
+      continue;
+    }
+    const std::string text = drawn_again_text(in.stores.design, *found, {});
+    if (text != event.text)
+      problems.add("{}: is not the one that was drawn: {}", place, difference(event.text, text));
+  }
+}
+
+/// The sitting's facts and the orders as first drawn are those that were hashed when it began, or, where they
+/// depend on answers, when they were drawn.
 void check_beginning(const SittingInFile& in, const std::string& who, const std::vector<DrawnTrial>& trials,
                      FirstProblems& problems) {
   const auto begun = events_of(in, event_kind::kBegun);
   if (begun.size() != 1)
     return problems.add("{}: {} events of its beginning in the chain, there must be one", who, begun.size());
+  const auto later = events_of(in, event_kind::kDrawn);
+  check_drawn_later(in, who, later, trials, problems);
   std::vector<DrawnTrial> plan;
-  std::ranges::copy_if(trials, std::back_inserter(plan),
-                       [](const DrawnTrial& drawn) { return drawn.draw == 0; });
+  std::ranges::copy_if(trials, std::back_inserter(plan), [&](const DrawnTrial& drawn) {
+    return drawn.draw == 0 && std::ranges::find(later, drawn.trial.number, &EventRow::trial) == later.end();
+  });
   const SessionRow hashed = in.chains.as_hashed(in.session, begun[0].entry);
   const std::string text = begun_text(in.stores.design, hashed, plan);
   if (text != begun[0].text)

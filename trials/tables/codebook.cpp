@@ -45,10 +45,15 @@ Column missing_too(Column column) {
   return column;
 }
 
-Column interval_number(const Protocol& protocol, std::string name, std::string title,
-                       std::string description) {
+Column interval_number(const Protocol& protocol) {
+  Column column = whole_column("interval", "Interval", "Number of the interval within the trial", 1);
+  column.most = protocol.task->intervals;
+  return column;
+}
+
+Column answer_number(const Protocol& protocol, std::string name, std::string title, std::string description) {
   Column column = whole_column(std::move(name), std::move(title), std::move(description), 1);
-  column.most = intervals_per_trial(protocol);
+  column.most = static_cast<double>(protocol.task->choices.size());
   return column;
 }
 
@@ -89,7 +94,7 @@ Column of_factor(const Factor& factor) {
 
 Column of_condition(const Protocol& protocol) {
   Column column = text("condition", "Condition", "What was presented in the interval");
-  for (const std::size_t presented : protocol.pair) {
+  for (const std::size_t presented : protocol.presented) {
     const Condition& condition = protocol.conditions[presented];
     std::string changes;
     for (const sim::Override& change : condition.overrides)
@@ -101,10 +106,8 @@ Column of_condition(const Protocol& protocol) {
 
 /// @param may_be_cut_off  presentations that never ended have nothing measured
 std::vector<Column> presentation_columns(const Protocol& protocol, bool may_be_cut_off) {
-  std::vector<Column> columns{
-      participant(), sitting(), question(),
-      interval_number(protocol, "interval", "Interval", "Number of the interval within the trial"),
-      of_condition(protocol)};
+  std::vector<Column> columns{participant(), sitting(), question(), interval_number(protocol),
+                              of_condition(protocol)};
   Column proposed = missing_too(text("level_proposed", "Level proposed",
                                      "Level that the procedure proposed; n/a with constant stimuli"));
   Column presented = missing_too(
@@ -163,20 +166,19 @@ std::vector<Column> trial_columns(const Protocol& protocol) {
       whole_column("block", "Block", "Part of the sitting", 1),
       question(),
       run_mode(),
-      one_of(text("task", "Task", "What was asked"), protocol.task,
-             fmt::format("{} intervals, then: {}", intervals_per_trial(protocol), protocol.question)),
-      one_of(text("procedure", "Procedure", "How levels were chosen"), protocol.procedure,
-             "every level a fixed number of times")};
+      one_of(text("task", "Task", "What was asked"), std::string(protocol.task->name),
+             protocol.task->task_means(protocol)),
+      one_of(text("procedure", "Procedure", "How levels were chosen"), std::string(protocol.procedure->name),
+             std::string(protocol.procedure->meaning))};
   for (const Factor& factor : protocol.factors) columns.push_back(of_factor(factor));
   Column onset = text("onset_utc", "Onset of the question", "When the question appeared");
   onset.kind = Kind::Utc;
   Column hash = text("protocol_sha256", "Protocol", "SHA-256 of the protocol's text");
   hash.pattern = "[0-9a-f]{64}";
   const std::vector<Column> rest{
-      interval_number(
-          protocol, "correct_answer", "Correct answer",
-          "Number of the interval that held the condition " + protocol.conditions[protocol.correct].name),
-      interval_number(protocol, "response", "Answer", "Number of the interval that was chosen"),
+      answer_number(protocol, "correct_answer", "Correct answer",
+                    protocol.task->correct_answer_means(protocol)),
+      answer_number(protocol, "response", "Answer", std::string(protocol.task->response_means)),
       flag("correct", "Correct", "the answer is the correct one", "it is not"),
       missing_too(measure("response_time_s", "Response time",
                           "From the question's onset to the answer, by a monotonic clock; n/a for a "

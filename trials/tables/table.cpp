@@ -54,9 +54,13 @@ std::vector<Value> answer_row(const Protocol& design, const AnsweredTrial& answe
   const SessionRow& session = *answered.session;
   const Trial& trial = answered.drawn.trial;
   const AnswerRow& answer = answered.answer;
-  std::vector<Value> row{session.facts.examinee, number(session.number), number(trial.block),
-                         number(trial.number),   run_mode(session),      design.task,
-                         design.procedure};
+  std::vector<Value> row{session.facts.examinee,
+                         number(session.number),
+                         number(trial.block),
+                         number(trial.number),
+                         run_mode(session),
+                         std::string(design.task->name),
+                         std::string(design.procedure->name)};
   for (std::size_t i = 0; i < design.factors.size(); ++i)
     row.push_back(plain_text(design.factors[i].levels[design.cells[trial.cell].levels[i]]));
   const std::vector<Value> rest{number(trial.correct_interval),

@@ -182,7 +182,7 @@ ProtocolCheck check_protocol(const std::string& file) {
   trials::compile_stimuli(check.protocol, cache);
   check.plan = trials::describe(check.protocol);
   check.regions = planned_regions(check.protocol);
-  const bool less = check.protocol.analysis.side == "less";
+  const bool less = check.protocol.analysis.side == trials::Side::Less;
   check.power = analysis::primary_power(design_of(check.protocol),
                                         less ? 1.0 - kProbabilityOfAnEffect : kProbabilityOfAnEffect);
   return check;
@@ -216,18 +216,16 @@ void print_text(const ProtocolCheck& check) {
   const trials::PlanSummary& plan = check.plan;
   fmt::print("{}: a sound protocol\n\n", check.protocol.name);
   fmt::print("  question        {}\n", check.protocol.question);
-  fmt::print("  task            {}, {} against {}; \"{}\" is correct\n", check.protocol.task,
-             check.protocol.conditions[check.protocol.pair[0]].name,
-             check.protocol.conditions[check.protocol.pair[1]].name,
-             check.protocol.conditions[check.protocol.correct].name);
+  const trials::Task& task = *check.protocol.task;
+  fmt::print("  task            {}, {}\n", task.name, task.question_in_words(check.protocol));
   fmt::print("  cells           {}\n", fmt::join(plan.cells, ", "));
   fmt::print("  trials          {} an examinee, {} examinees planned: {} in each cell\n",
              plan.trials_per_session, plan.planned_examinees, plan.trials_per_cell);
   fmt::print("{}", analysis::wrapped(plan.order, "  order           ", "                  "));
   fmt::print("  predictability  the best rule that feels nothing is right in {:.0f} % of trials\n",
              100 * plan.best_guess);
-  fmt::print("  primary test    {}, {}, alpha {}\n", check.protocol.analysis.primary,
-             check.protocol.analysis.side, check.protocol.analysis.alpha);
+  fmt::print("  primary test    {}, {}, alpha {}\n", to_string(check.protocol.analysis.primary),
+             to_string(check.protocol.analysis.side), check.protocol.analysis.alpha);
   print_regions(check);
   fmt::print("  power           {:.4f} when {:.0f} % of answers are correct ({})\n", check.power.power,
              100 * check.power.probability,
@@ -257,9 +255,9 @@ ordered_json to_json(const ProtocolCheck& check) {
           {"cells", check.plan.cells},
           {"order", check.plan.order},
           {"best_guess", check.plan.best_guess},
-          {"primary", check.protocol.analysis.primary},
+          {"primary", to_string(check.protocol.analysis.primary)},
           {"alpha", check.protocol.analysis.alpha},
-          {"side", check.protocol.analysis.side},
+          {"side", to_string(check.protocol.analysis.side)},
           {"critical", critical},
           {"looks", looks},
           {"power",

@@ -6,98 +6,15 @@
 #include <set>
 #include <stdexcept>
 
+#include "tests/trials/support/observers.hpp"
 #include "tests/trials/support/protocols.hpp"
 #include "trials/observer/simulate.hpp"
 
 namespace palpate::trials {
 namespace {
 
-constexpr int kTrials = 4000;
-
-double five_deviations(double share) {
-  return 5 * std::sqrt(share * (1 - share) / kTrials);
-}
-
-/// No noise but the internal one, no lapses, no bias.
-ObserverParameters plain() {
-  ObserverParameters p{.name = "plain"};
-  p.depth = {.mean = 4e-3, .between = 0, .within = 0};
-  p.duration = {.mean = 0.6, .between = 0, .within = 0};
-  p.weber_fraction = {.mean = 0.2, .between = 0, .within = 0};
-  return p;
-}
-
-/// A press to 4 mm on a spring of this stiffness [N/m].
-Trace spring(double stiffness) {
-  Trace trace;
-  for (int i = 0; i <= 200; ++i) {
-    const double depth = 4e-3 * i / 200;
-    trace.push_back({.time = static_cast<float>(i * 1e-3),
-                     .proposed_depth = static_cast<float>(depth),
-                     .depth = static_cast<float>(depth),
-                     .displacement = {0, 0, static_cast<float>(depth)},
-                     .force = {0, 0, static_cast<float>(-stiffness * depth)}});
-  }
-  return trace;
-}
-
-/// Share of trials in which the second of two springs is said to be the stiffer one.
-double share_second(const ObserverParameters& p, const Trace& first, const Trace& second) {
-  Generator generator = make_generator(1, "test");
-  const Observer observer = draw_observer(p, generator);
-  int chosen = 0;
-  for (int i = 0; i < kTrials; ++i) {
-    const auto a = perceive(first, observer, generator), b = perceive(second, observer, generator);
-    chosen += answer(a, b, observer, generator) == 2 ? 1 : 0;
-  }
-  return static_cast<double>(chosen) / kTrials;
-}
-
-TEST(Observer, TellsTheWeberFractionApartIn75PercentOfTheTrials) {
-  for (const double w : {0.05, 0.2, 0.5}) {
-    ObserverParameters p = plain();
-    p.weber_fraction.mean = w;
-    for (const double stiffness : {50.0, 2000.0})
-      EXPECT_NEAR(share_second(p, spring(stiffness), spring(stiffness * (1 + w))), 0.75,
-                  five_deviations(0.75))
-          << w;
-  }
-}
-
-// Twice the logarithmic difference is twice the d': Phi(2 * 0.6745) = 0.9113.
-TEST(Observer, GetsBetterAsTheNormalDistributionSays) {
-  EXPECT_NEAR(share_second(plain(), spring(500), spring(500 * 1.2 * 1.2)), 0.9113, five_deviations(0.9113));
-}
-
-TEST(Observer, GuessesWhereNothingDiffers) {
-  EXPECT_NEAR(share_second(plain(), spring(500), spring(500)), 0.5, five_deviations(0.5));
-}
-
-TEST(Observer, GuessesWhereNothingIsFelt) {
-  EXPECT_NEAR(share_second(plain(), spring(0), spring(0)), 0.5, five_deviations(0.5));
-  EXPECT_NEAR(share_second(plain(), {}, spring(500)), 0.5, five_deviations(0.5));
-}
-
-TEST(Observer, LapsesAreCoins) {
-  ObserverParameters p = plain();
-  p.lapse_rate = 0.2;  // of an otherwise certain answer: 1 - 0.2 / 2
-  EXPECT_NEAR(share_second(p, spring(500), spring(50000)), 0.9, five_deviations(0.9));
-}
-
-TEST(Observer, BiasIsInDeviationsOfTheDifference) {
-  ObserverParameters p = plain();
-  p.interval_bias.mean = 0.5;  // Phi(0.5) = 0.6915
-  EXPECT_NEAR(share_second(p, spring(500), spring(500)), 0.6915, five_deviations(0.6915));
-}
-
-TEST(Observer, NoiseOfTheSensesMakesItWorse) {
-  ObserverParameters p = plain();
-  p.force_noise = 5.0;  // of forces up to 2.4 N
-  EXPECT_LT(share_second(p, spring(500), spring(600)), 0.72);
-}
-
 TEST(Observer, EveryPressGoesAnotherWay) {
-  ObserverParameters p = plain();
+  ObserverParameters p = test::plain_observer();
   p.depth.within = 2e-4;
   p.tremor = 5e-5;
   p.drift = 1e-4;
@@ -120,7 +37,7 @@ TEST(Observer, EveryPressGoesAnotherWay) {
 // Without tremor and drift the way in is d (10 t^3 - 15 t^4 + 6 t^5): half the depth at half the time.
 TEST(Observer, TheWayInHasTheLeastJerk) {
   Generator generator = make_generator(1, "hand");
-  const ObserverParameters p = plain();
+  const ObserverParameters p = test::plain_observer();
   const Observer observer = draw_observer(p, generator);
   const auto path = plan_press(observer, sim::Vec3::UnitX(), generator);
   EXPECT_NEAR(path[300].x(), 2e-3, 1e-12);
@@ -143,7 +60,7 @@ class ObserverOnOrgans : public testing::Test {
   }
   static SimulatedTrial play_one(const Protocol& protocol, const Stimuli& stimuli, std::size_t cell,
                                  int number) {
-    ObserverParameters p = plain();
+    ObserverParameters p = test::plain_observer();
     p.depth.within = 2e-4;
     p.drift = 1e-4;
     Generator person = make_generator(1, "person");
@@ -154,7 +71,7 @@ class ObserverOnOrgans : public testing::Test {
     DrawnTrial drawn;
     drawn.trial.number = number;
     drawn.trial.cell = cell;
-    drawn.trial.interval_condition = {protocol.pair[0], protocol.pair[1]};
+    drawn.trial.interval_condition = {protocol.presented[0], protocol.presented[1]};
     return play(protocol, stimuli, observer, sitting, drawn);
   }
 };
@@ -179,7 +96,7 @@ TEST_F(ObserverOnOrgans, TheModelOfThePaperTellsConditionsApartAndSibillesDoesNo
   const Stimuli stimuli = compile(protocol);
   Generator generator = make_generator(1, "hand");
   const Observer observer{.parameters = nullptr, .depth = 5e-3, .duration = 0.6};
-  ObserverParameters p = plain();
+  ObserverParameters p = test::plain_observer();
   Observer pressing = observer;
   pressing.parameters = &p;
   const auto path = plan_press(pressing, sim::Vec3::UnitZ(), generator);
@@ -195,7 +112,7 @@ TEST_F(ObserverOnOrgans, TheModelOfThePaperTellsConditionsApartAndSibillesDoesNo
 TEST_F(ObserverOnOrgans, ForceIsCutAsTheDeviceWould) {
   const Protocol protocol = protocol_of(test::shipped_text());
   const Stimuli stimuli = compile(protocol);
-  ObserverParameters p = plain();
+  ObserverParameters p = test::plain_observer();
   Generator generator = make_generator(1, "hand");
   const Observer observer = draw_observer(p, generator);
   const sim::Model& model = *stimuli.at(0);
@@ -213,7 +130,7 @@ TEST_F(ObserverOnOrgans, ForceIsCutAsTheDeviceWould) {
 TEST_F(ObserverOnOrgans, ADeviceThatCutsBothConditionsToOneForceIsRefused) {
   const Protocol protocol = protocol_of(test::shipped_text());
   const Stimuli stimuli = compile(protocol);
-  ObserverParameters p = plain();
+  ObserverParameters p = test::plain_observer();
   EXPECT_NO_THROW(check_clamping(protocol, stimuli, p));
   p.device.max_force = 1.0;
   EXPECT_THROW(check_clamping(protocol, stimuli, p), std::invalid_argument);

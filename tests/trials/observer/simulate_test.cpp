@@ -8,6 +8,7 @@
 #include "tests/support/places.hpp"
 #include "tests/trials/support/protocols.hpp"
 #include "tests/trials/support/sitting.hpp"
+#include "tests/trials/support/up_down.hpp"
 #include "trials/observer/simulated_study.hpp"
 #include "trials/study/verify.hpp"
 #include "trials/tables/table.hpp"
@@ -210,6 +211,34 @@ TEST_F(SimulateTest, APlayedStudyIsTheOneThatIsStored) {
       EXPECT_EQ(played.correct_first, stored[cell].correct_first);
       EXPECT_EQ(played.answers_first, stored[cell].answers_first);
       EXPECT_EQ(played.correct, stored[cell].correct);
+    }
+  }
+}
+
+// With a procedure that chooses the next trial by the answers, stored and played only are one study as well.
+TEST_F(SimulateTest, AnAdaptiveStudyIsAskedToItsEnd) {
+  const auto& [shared, stimuli] = Shared::get();
+  Protocol protocol = shared;
+  protocol.procedure = &test::kUpDown;
+  protocol.planned_examinees = 2;
+  const SimulationPlan plan = plan_for(2, 7);
+  StudyFile study = open_study(folder_ / "adaptive.db", protocol, "0.1.0");
+  const SimulationReport report = simulate(study, protocol, stimuli, plan, [](int, int) { return true; });
+  EXPECT_EQ(report.answers, 2 * static_cast<int>(test::kUpDownTrials));
+  EXPECT_FALSE(report.interrupted);
+  const auto counts = play_study(protocol, stimuli, plan.observer, 7);
+  for (const SessionRow& session : study.sessions()) {
+    EXPECT_TRUE(session.ended_utc.has_value());
+    const auto drawn = study.trials(session.id);
+    std::vector<int> stored(protocol.cells.size()), correct(protocol.cells.size());
+    for (const AnswerRow& answer : study.answers(session.id)) {
+      const std::size_t cell = drawn.at(answer.trial - 1).trial.cell;
+      ++stored[cell];
+      correct[cell] += answer.correct ? 1 : 0;
+    }
+    for (std::size_t cell = 0; cell < stored.size(); ++cell) {
+      EXPECT_EQ(counts[cell][session.id - 1].trials, stored[cell]);
+      EXPECT_EQ(counts[cell][session.id - 1].correct, correct[cell]);
     }
   }
 }

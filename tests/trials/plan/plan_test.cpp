@@ -94,7 +94,8 @@ TEST(Plan, RedrawsTheIntervalsAndKeepsTheRest) {
   int changed = 0;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     Generator generator = make_generator(seed, "again");
-    const Trial after = redraw(protocol, before, generator);
+    Trial after = before;
+    protocol.task->redraw(protocol, after, generator);
     EXPECT_EQ(after.cell, before.cell);
     EXPECT_EQ(after.number, before.number);
     changed += after.correct_interval != before.correct_interval ? 1 : 0;
@@ -104,7 +105,7 @@ TEST(Plan, RedrawsTheIntervalsAndKeepsTheRest) {
 
 Protocol balanced_protocol(int trials) {
   Protocol protocol = test::small_protocol(trials);
-  protocol.interval_order = "balanced";
+  protocol.interval_order = IntervalOrder::Balanced;
   return protocol;
 }
 
@@ -135,7 +136,9 @@ TEST(Plan, KeepsABalancedOrderWhenATrialIsInterrupted) {
   const Trial before = plan_for(protocol, 1)[3];
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     Generator generator = make_generator(seed, "again");
-    EXPECT_EQ(redraw(protocol, before, generator), before);
+    Trial after = before;
+    protocol.task->redraw(protocol, after, generator);
+    EXPECT_EQ(after, before);
   }
 }
 

@@ -130,7 +130,7 @@ TEST(Protocol, TheOrderAndItsTestMustFit) {
               AllOf(HasSubstr("analysis.primary"), HasSubstr("is for balanced orders")));
   const std::string balanced = test::with(test::with(test::shipped_text(), "\"coin\"", "\"balanced\""),
                                           "\"paired-comparison\"", "\"order-randomisation\"");
-  EXPECT_EQ(parse_protocol(balanced, "p.toml").interval_order, "balanced");
+  EXPECT_EQ(parse_protocol(balanced, "p.toml").interval_order, IntervalOrder::Balanced);
   EXPECT_THAT(refusal_of(test::with(balanced, "per_cell = 4", "per_cell = 5")),
               AllOf(HasSubstr("order.interval"), HasSubstr("5 trials of a cell cannot be halved")));
 }

@@ -1,0 +1,14 @@
+#include <array>
+
+#include "tasks/two_interval/two_interval.hpp"
+
+namespace palpate::trials {
+
+std::span<const Task* const> tasks() {
+  static constexpr std::array<const Task*, 1> kTasks{
+      &palpate::tasks::kTwoInterval,
+  };
+  return kTasks;
+}
+
+}  // namespace palpate::trials

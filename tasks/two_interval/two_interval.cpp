@@ -1,0 +1,45 @@
+#include "tasks/two_interval/two_interval.hpp"
+
+#include <array>
+
+#include "analysis/statistics/dprime.hpp"
+
+namespace palpate::tasks {
+namespace {
+
+constexpr std::array<std::string_view, 2> kFirstKeys{"1", "ArrowLeft"};
+constexpr std::array<std::string_view, 2> kSecondKeys{"2", "ArrowRight"};
+constexpr std::array<trials::Choice, 2> kChoices{{{.label = "The first interval", .keys = kFirstKeys},
+                                                  {.label = "The second interval", .keys = kSecondKeys}}};
+
+double d_prime(long correct, long trials) {
+  return analysis::dprime_2ifc(correct, trials, analysis::DPrimeCorrection::None).d_prime;
+}
+
+}  // namespace
+
+constexpr trials::Task kTwoInterval{
+    .name = "2IFC",
+    .intervals = 2,
+    // Nobody is told whether an answer was right: whatever was answered before, the next one is a fair guess.
+    .chance = 0.5,
+    .choices = kChoices,
+    .answer_is = "the number of an interval",
+    .hint = "Press 1 or 2, the arrow keys ← →, or click.",
+    .spoken_hint = "Press 1 for the first interval, 2 for the second.",
+    .read = two_interval::read,
+    .read_order = two_interval::read_order,
+    .check_primary = two_interval::check_primary,
+    .draw = two_interval::draw,
+    .redraw = two_interval::redraw,
+    .is_correct = two_interval::is_correct,
+    .decide = two_interval::decide,
+    .d_prime = d_prime,
+    .question_in_words = two_interval::question_in_words,
+    .order_in_words = two_interval::order_in_words,
+    .course_in_words = two_interval::course_in_words,
+    .task_means = two_interval::task_means,
+    .correct_answer_means = two_interval::correct_answer_means,
+    .response_means = "Number of the interval that was chosen"};
+
+}  // namespace palpate::tasks

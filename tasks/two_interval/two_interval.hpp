@@ -1,0 +1,40 @@
+#pragma once
+
+#include "trials/plan/plan.hpp"
+#include "trials/plan/random.hpp"
+#include "trials/protocol/protocol.hpp"
+#include "trials/task/task.hpp"
+
+namespace palpate::tasks {
+
+/// Two-interval forced choice, "2IFC": two conditions are presented one after the other, in an order that is
+/// drawn, and the question is which interval held the one that [task] calls correct. An answer is the number
+/// of an interval, 1 or 2.
+extern const trials::Task kTwoInterval;
+
+/// What the parts below make up; each is described at its place in trials::Task.
+namespace two_interval {
+
+// design.cpp
+void read(base::TomlReader& task, trials::Protocol& protocol);
+void read_order(base::TomlReader& order, trials::Protocol& protocol);
+void check_primary(const base::TomlReader& analysis, const trials::Protocol& protocol);
+
+// draw.cpp
+void draw(const trials::Protocol& protocol, std::span<trials::Trial> trials, trials::Generator& generator);
+void redraw(const trials::Protocol& protocol, trials::Trial& trial, trials::Generator& generator);
+bool is_correct(const trials::Trial& trial, int answer);
+
+// decide.cpp
+int decide(std::span<const std::optional<double>> percepts, const trials::Observer& observer,
+           trials::Generator& generator);
+
+// words.cpp
+std::string question_in_words(const trials::Protocol& protocol);
+std::string order_in_words(const trials::Protocol& protocol);
+std::string course_in_words(const trials::Protocol& protocol);
+std::string task_means(const trials::Protocol& protocol);
+std::string correct_answer_means(const trials::Protocol& protocol);
+
+}  // namespace two_interval
+}  // namespace palpate::tasks

@@ -1,0 +1,38 @@
+#include "trials/procedures/constant/constant.hpp"
+
+#include "trials/plan/random.hpp"
+#include "trials/protocol/reading.hpp"
+
+namespace palpate::trials {
+namespace {
+
+constexpr std::int64_t kMostTrials = 1000;  // of one cell in one sitting: more is a slip of the keyboard
+
+void read(base::TomlReader& procedure, Protocol& protocol) {
+  protocol.trials_per_examinee_per_cell =
+      whole_number(procedure, "trials_per_examinee_per_cell", 1, kMostTrials);
+}
+
+std::vector<ChosenLevel> draw_ahead(const Protocol& protocol, Generator& generator) {
+  std::vector<ChosenLevel> levels;
+  for (std::size_t cell = 0; cell < protocol.cells.size(); ++cell)
+    levels.insert(levels.end(), protocol.trials_per_examinee_per_cell, {.cell = cell});
+  shuffle(levels, generator);
+  return levels;
+}
+
+std::optional<ChosenLevel> next(const ProcedureState& state, Generator&) {
+  return state.told < state.ahead.size() ? std::optional(state.ahead[state.told]) : std::nullopt;
+}
+
+}  // namespace
+
+constexpr Procedure kConstant{.name = "constant",
+                              .read = read,
+                              .meaning = "every level a fixed number of times",
+                              .draw_ahead = draw_ahead,
+                              .begin = [](ProcedureState&) {},
+                              .next = next,
+                              .tell = [](ProcedureState&, const Told&) {}};
+
+}  // namespace palpate::trials
