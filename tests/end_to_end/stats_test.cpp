@@ -269,10 +269,10 @@ TEST_F(Stats, PartsOfTwoProtocolsAreNotJoined) {
   EXPECT_THAT(other.err, HasSubstr("different simulations"));
 }
 
-// Made by `palpate stats list --format markdown > docs/procedures.md`.
+// Made by `palpate stats list --format markdown > docs/statistics.md`.
 TEST_F(Stats, ThePageThatDocumentsThemIsUpToDate) {
   EXPECT_EQ(run({"stats", "list", "--format", "markdown"}).out,
-            text_of(palpate::test::source_folder() + "/docs/procedures.md"));
+            text_of(palpate::test::source_folder() + "/docs/statistics.md"));
 }
 
 }  // namespace palpate::test
