@@ -7,9 +7,8 @@
 #include <exception>
 #include <stdexcept>
 #include <string>
-#include <utility>
-#include <vector>
 
+#include "app/command_line/interrupt.hpp"
 #include "app/commands/commands.hpp"
 
 namespace {
@@ -27,18 +26,6 @@ constexpr const char* kGuide =
     "  palpate press data/scenes/rectal-palpation.toml  how the force grows with depth\n"
     "  palpate check protocols/kuroda2003.toml          what a study amounts to\n\n"
     "palpate COMMAND --help shows a command's options, with an example.";
-
-/// Headings of the list of commands.
-void put_in_groups(CLI::App& app) {
-  const std::pair<const char*, std::vector<const char*>> groups[] = {
-      {"Begin", {"demo"}},
-      {"Touch", {"press", "render", "cost", "mesh"}},
-      {"Run a study", {"check", "plan", "run", "simulate"}},
-      {"Read a study", {"report", "export", "verify", "merge"}},
-      {"Statistics", {"stats"}}};
-  for (const auto& [heading, commands] : groups)
-    for (const char* command : commands) app.get_subcommand(command)->group(heading);
-}
 
 /// What is wrong with the arguments, and where help is.
 std::string usage_error(const CLI::App* app, const CLI::Error& error) {
@@ -62,21 +49,10 @@ int main(int argc, char** argv) {
   app.require_subcommand(0, 1);
   app.failure_message(usage_error);
   app.footer(kGuide);
-  palpate::app::add_demo(app);
-  palpate::app::add_press(app);
-  palpate::app::add_render(app);
-  palpate::app::add_cost(app);
-  palpate::app::add_mesh(app);
-  palpate::app::add_check(app);
-  palpate::app::add_plan(app);
-  palpate::app::add_run(app);
-  palpate::app::add_simulate(app);
-  palpate::app::add_report(app);
-  palpate::app::add_export(app);
-  palpate::app::add_verify(app);
-  palpate::app::add_merge(app);
-  palpate::app::add_stats(app);
-  put_in_groups(app);
+  for (const palpate::app::Command* command : palpate::app::commands()) {
+    CLI::App* added = app.add_subcommand(std::string(command->name), std::string(command->summary));
+    command->add(*added->group(std::string(command->heading)));
+  }
 
   try {
     app.parse(argc, argv);

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
+#include <utility>
 
 namespace palpate::app {
 namespace {
@@ -31,7 +33,7 @@ bool ask_for_real_time(std::thread& thread) {
 
 }  // namespace
 
-HapticLoop::HapticLoop() : thread_([this] { loop(); }) {
+HapticLoop::HapticLoop(devices::OpenDevice device) : device_(std::move(device)), thread_([this] { loop(); }) {
   real_time_ = ask_for_real_time(thread_);
 }
 
@@ -41,11 +43,11 @@ HapticLoop::~HapticLoop() {
 }
 
 void HapticLoop::set_hand(double depth) {
-  hand_.write({.depth = depth, .measured = monotonic_now(), .known = true});
+  if (device().tell != nullptr) device().tell(*device_.handle, depth, monotonic_now());
 }
 
 void HapticLoop::forget_hand() {
-  hand_.write({});
+  if (device().tell != nullptr) device().tell(*device_.handle, std::nullopt, monotonic_now());
 }
 
 void HapticLoop::run(IntervalEngine& engine) {
@@ -65,9 +67,18 @@ void HapticLoop::wait_for_the_loop() const {
   while (cycles_ < wanted) std::this_thread::sleep_for(std::chrono::microseconds(200));
 }
 
+void HapticLoop::tick(IntervalEngine& engine, int elapsed, std::int64_t now, double since_begin) {
+  const devices::Reading hand =
+      device().read(*device_.handle, {.now = now, .since_begin = since_begin, .press = engine.press()});
+  const double age = static_cast<double>(now - hand.measured) * 1e-9;
+  engine.tick({.position = hand.position, .age = age, .known = hand.known}, elapsed);
+  if (device().deliver != nullptr) device().deliver(*device_.handle, engine.force_on_hand());
+  state_.write(engine.state());
+}
+
 void HapticLoop::loop() {
   IntervalEngine* running = nullptr;
-  Hand hand;
+  std::int64_t since_begin = 0;  // [cycles]
   std::int64_t deadline = monotonic_now(), before = deadline;
   while (!quit_) {
     deadline += kPeriod;
@@ -77,14 +88,14 @@ void HapticLoop::loop() {
     deadline += missed * kPeriod;
 
     IntervalEngine* const engine = engine_;
-    if (engine != nullptr && engine == running) clock_.add(std::chrono::nanoseconds(now - before), missed);
-    if (engine != nullptr && engine != running) clock_.reset();
-    if (engine != nullptr) {
-      hand = hand_.try_read().value_or(hand);
-      const double age = static_cast<double>(now - hand.measured) * 1e-9;
-      const int elapsed = engine == running ? static_cast<int>(1 + missed) : 1;
-      engine->tick({.depth = hand.depth, .age = age, .known = hand.known}, elapsed);
-      state_.write(engine->state());
+    if (engine != nullptr && engine == running) {
+      clock_.add(std::chrono::nanoseconds(now - before), missed);
+      since_begin += 1 + missed;
+      tick(*engine, static_cast<int>(1 + missed), now, static_cast<double>(since_begin) * kCycleSeconds);
+    } else if (engine != nullptr) {
+      clock_.reset();
+      since_begin = 0;
+      tick(*engine, 1, now, 0.0);
     }
     running = engine;
     before = now;

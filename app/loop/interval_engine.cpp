@@ -19,27 +19,29 @@ std::size_t cycles_of(const IntervalLimits& limits) {
   return static_cast<std::size_t>(std::ceil(limits.max_time / kCycleSeconds)) + 1;
 }
 
-bool plausible(double depth) {
-  return std::isfinite(depth) && std::abs(depth) <= kFarthestHand;
+bool plausible(const sim::Vec3& position) {
+  return position.allFinite() && position.lpNorm<Eigen::Infinity>() <= kFarthestHand;
 }
 
 }  // namespace
 
 IntervalEngine::IntervalEngine(const sim::Model& model, const IntervalLimits& limits,
-                               const PseudoHapticCoupling& coupling)
+                               const devices::Device& device)
     : model_(&model),
       limits_(limits),
-      coupling_(coupling),
+      device_(&device),
+      largest_force_(device.facts.gives_force ? device.facts.continuous_force : kLargestForce),
       scratch_(model),
       pose_(model.probes.size()),
-      probe_{.hand = kLifted, .depth = kLifted, .previous_depth = kLifted} {
+      probe_(devices::probe_at(model.probes.front().direction, kLifted)),
+      felt_(model, pose_, scratch_.loads()) {
   if (limits_.max_time > 0) trace_.reserve(cycles_of(limits_));
   state_.hand = state_.depth = kLifted;
 }
 
 double IntervalEngine::probe_force() {
   const sim::Probe& finger = model_->probes.front();
-  pose_.front().displacement = probe_.depth * finger.direction;
+  pose_.front().displacement = probe_.displacement;
   const sim::CycleResult result = sim::cycle(*model_, {}, pose_, scratch_);
   if (result.solve.stop != sim::Stop::Converged) return std::numeric_limits<double>::quiet_NaN();
   force_on_finger_ = result.probe_forces.front();
@@ -48,31 +50,45 @@ double IntervalEngine::probe_force() {
 
 /// The hand is followed only while it is known, its input is fresh and nothing is wrong; else the finger is
 /// lifted, at no more than the largest speed, so that neither loss nor return of the input is felt as a kick.
-double IntervalEngine::target(const HandInput& hand) const {
-  const bool follow = hand.known && state_.begun && guard_.fault == Fault::None && plausible(hand.depth) &&
+sim::Vec3 IntervalEngine::target(const HandInput& hand) const {
+  const bool follow = hand.known && state_.begun && guard_.fault == Fault::None && plausible(hand.position) &&
                       hand.age <= kGuardTimes.longest_gap;
-  return follow ? hand.depth : kLifted;
+  return follow ? hand.position : sim::Vec3(kLifted * press());
 }
 
 void IntervalEngine::tick(const HandInput& hand, int elapsed) {
-  if (state_.over) return;
-  if (hand.known && plausible(hand.depth) && hand.depth <= 0) state_.begun = true;
+  if (!state_.over) advance(hand, elapsed);
+  felt_.offer(pose_, scratch_.loads());
+}
+
+void IntervalEngine::advance(const HandInput& hand, int elapsed) {
+  const bool sound_input = !hand.known || plausible(hand.position);
+  if (hand.known && sound_input && hand.position.dot(press()) <= 0) state_.begun = true;
   const double force = probe_force();
-  const double delivered = guard_force(guard_, kGuardTimes, !hand.known || plausible(hand.depth), hand.age,
-                                       force, kLargestForce, elapsed * kCycleSeconds);
-  if (guard_.fault == Fault::None) sound_force_on_finger_ = force_on_finger_;
-  if (state_.begun) record(guard_.gain * sound_force_on_finger_);
+  state_.force =
+      guard_force(guard_, kGuardTimes, sound_input, hand.age, force, largest_force_, elapsed * kCycleSeconds);
+  deliver();
+  if (state_.begun) record();
   judge_progress();
 
-  follow_hand(coupling_, probe_, target(hand), std::isfinite(force) ? force : 0.0, kCycleSeconds);
+  device_->move(probe_, target(hand), std::isfinite(force) ? force : 0.0, kCycleSeconds);
   if (state_.begun) state_.tick += static_cast<std::uint32_t>(elapsed);
   state_.hand = probe_.hand;
   state_.depth = probe_.depth;
-  state_.force = delivered;
   state_.fault = guard_.fault;
 }
 
-void IntervalEngine::record(const sim::Vec3& force_on_finger) {
+/// As the guard lets it through, and no larger than the device can hold.
+void IntervalEngine::deliver() {
+  if (guard_.fault == Fault::None) {
+    sound_force_on_finger_ = force_on_finger_;
+    const double size = sound_force_on_finger_.norm();
+    if (size > largest_force_) sound_force_on_finger_ *= largest_force_ / size;
+  }
+  force_on_hand_ = guard_.gain * sound_force_on_finger_;
+}
+
+void IntervalEngine::record() {
   if (limits_.max_time <= 0 || trace_.size() == trace_.capacity()) return;
   const sim::Vec3 displacement = pose_.front().displacement;
   trials::TraceSample sample;
@@ -81,7 +97,7 @@ void IntervalEngine::record(const sim::Vec3& force_on_finger) {
   sample.depth = static_cast<float>(probe_.depth);
   for (int axis = 0; axis < 3; ++axis) {
     sample.displacement[axis] = static_cast<float>(displacement[axis]);
-    sample.force[axis] = static_cast<float>(force_on_finger[axis]);
+    sample.force[axis] = static_cast<float>(force_on_hand_[axis]);
   }
   trace_.push_back(sample);
 }

@@ -3,8 +3,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "app/loop/cycle_handover.hpp"
 #include "app/loop/force_guard.hpp"
-#include "app/loop/pseudo_haptic.hpp"
+#include "devices/device/device.hpp"
 #include "sim/cycle/cycle.hpp"
 #include "trials/trace/trace.hpp"
 
@@ -14,12 +15,13 @@ constexpr double kCycleSeconds = 1e-3;  // the haptic loop runs at 1 kHz
 
 /// The hand as it is known at a cycle.
 struct HandInput {
-  double depth = 0.0;  // along the press, negative above the skin [m]
-  double age = 0.0;    // since it was measured [s]
-  bool known = false;  // false until a first sample has come
+  sim::Vec3 position = sim::Vec3::Zero();  // from where the probe rests [m]
+  double age = 0.0;                        // since it was measured [s]
+  bool known = false;                      // false until a first sample has come
 };
 
-/// What an interval looks like from outside, written by the haptic loop once a cycle.
+/// What an interval looks like from outside, written by the haptic loop once a cycle. Depths are along the
+/// press, negative above the skin.
 struct IntervalState {
   std::uint32_t tick = 0;    // cycles of exploration so far
   double hand = 0.0;         // as followed [m]
@@ -39,12 +41,13 @@ struct IntervalLimits {
 };
 
 /// One interval, cycle by cycle: a pure function of the cycles so far and the hand's newest place, so that a
-/// scripted path drives it without a clock. Allocates only when it is made. Nothing that it reports depends
-/// on anything but hand, depth and force: contact between organs is not looked at.
+/// scripted path drives it without a clock. The hand moves the first probe. Allocates only when it is made.
+/// Nothing that it reports depends on anything but hand, depth and force: contact between organs is not
+/// looked at.
 class IntervalEngine {
  public:
-  IntervalEngine(const sim::Model& model, const IntervalLimits& limits,
-                 const PseudoHapticCoupling& coupling = {});
+  /// @param device  how the probe comes after the hand, and how much force the hand can get
+  IntervalEngine(const sim::Model& model, const IntervalLimits& limits, const devices::Device& device);
 
   /// One wake-up of the loop: the force is computed once, and the probe moves on by one cycle. `elapsed`
   /// cycles have passed (more than one where cycles were missed): time counts them, and a force that falls
@@ -55,26 +58,38 @@ class IntervalEngine {
   const IntervalState& state() const { return state_; }
   const trials::Trace& trace() const { return trace_; }
   const sim::Model& model() const { return *model_; }
+  /// Direction of the press, unit length.
+  const sim::Vec3& press() const { return probe_.direction; }
+  /// As delivered in the last cycle [N].
+  const sim::Vec3& force_on_hand() const { return force_on_hand_; }
+
+  /// Where another thread gets what the hand felt.
+  CycleHandover& felt() { return felt_; }
 
  private:
+  void advance(const HandInput& hand, int elapsed);
   double probe_force();
-  double target(const HandInput& hand) const;
-  void record(const sim::Vec3& force_on_finger);
+  void deliver();
+  sim::Vec3 target(const HandInput& hand) const;
+  void record();
   void judge_progress();
 
   const sim::Model* model_;
   IntervalLimits limits_;
-  PseudoHapticCoupling coupling_;
+  const devices::Device* device_;
+  double largest_force_;  // that the hand may get [N]
   sim::Scratch scratch_;
   std::vector<sim::ProbePose> pose_;
   sim::Vec3 force_on_finger_ = sim::Vec3::Zero();
   sim::Vec3 sound_force_on_finger_ = sim::Vec3::Zero();  // the last one before a fault
-  DrivenProbe probe_{};
+  sim::Vec3 force_on_hand_ = sim::Vec3::Zero();
+  devices::DrivenProbe probe_;
   ForceGuard guard_{};
   trials::PressCounter presses_{};
   double deepest_ = 0.0;  // with force [m]
   trials::Trace trace_;
   IntervalState state_{};
+  CycleHandover felt_;
 };
 
 }  // namespace palpate::app

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "trials/study/study_file.hpp"
+#include "trials/study/merged_part.hpp"
 
 namespace palpate::app {
 

@@ -15,7 +15,6 @@
 #include "app/command_line/interrupt.hpp"
 #include "app/command_line/progress.hpp"
 #include "app/command_line/user_cache.hpp"
-#include "app/commands/commands.hpp"
 #include "app/study/study_table.hpp"
 #include "base/text/shard.hpp"
 #include "trials/observer/simulate.hpp"

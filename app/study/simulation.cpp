@@ -6,7 +6,6 @@
 #include "app/command_line/progress.hpp"
 #include "app/command_line/source_folder.hpp"
 #include "app/command_line/user_cache.hpp"
-#include "app/commands/commands.hpp"
 #include "base/machine/environment.hpp"
 #include "base/machine/machine.hpp"
 

@@ -7,11 +7,11 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <set>
-#include <tuple>
 
 #include "app/study/look_log.hpp"
 #include "base/files/sha256.hpp"
+#include "trials/study/answered_trials.hpp"
+#include "trials/study/merged_part.hpp"
 
 namespace palpate::app {
 namespace {
@@ -76,9 +76,10 @@ analysis::SessionRow session_of(const std::string& protocol_sha256, const trials
           .times_resumed = session.times_resumed};
 }
 
-analysis::IntervalRow interval_of(const trials::PresentationRow& presentation) {
+analysis::IntervalRow interval_of(const trials::Protocol& protocol,
+                                  const trials::PresentationRow& presentation) {
   analysis::IntervalRow row{.interval = presentation.interval,
-                            .condition = presentation.condition,
+                            .condition = protocol.conditions[presentation.condition].name,
                             .n_presses = presentation.exploration.presses,
                             .exploration_time_s = presentation.exploration.time,
                             .peak_force_n = presentation.exploration.peak_force,
@@ -92,77 +93,66 @@ analysis::IntervalRow interval_of(const trials::PresentationRow& presentation) {
   return row;
 }
 
-using TrialKey = std::pair<int, int>;  // number of the trial, draw
+// What a force curve is averaged from.
+struct PressedCondition {
+  trials::RunMode run_mode{};
+  std::size_t cell = 0;
+  std::size_t condition = 0;  // into Protocol::conditions
+  auto operator<=>(const PressedCondition&) const = default;
+};
+using Pressed = std::map<PressedCondition, std::vector<std::int64_t>>;  // ids of presentations
 
-// The presentations that an answer was given to: the last of each interval, in the order of the intervals.
-std::map<TrialKey, std::vector<trials::PresentationRow>> answered_presentations(
-    const std::vector<trials::PresentationRow>& presentations) {
-  std::map<TrialKey, std::map<int, trials::PresentationRow>> last;
-  for (const trials::PresentationRow& presentation : presentations) {
-    if (presentation.complete)
-      last[{presentation.trial, presentation.draw}][presentation.interval] = presentation;
+// The sittings, and where each stands in the table, by its id.
+std::map<std::int64_t, std::size_t> add_sessions(const trials::StudyFile& study,
+                                                 analysis::StudyTable& table) {
+  std::map<std::int64_t, std::size_t> places;
+  for (const trials::SessionRow& session : study.sessions()) {
+    places[session.id] = table.sessions.size();
+    table.sessions.push_back(session_of(table.design.protocol_sha256, session));
   }
-  std::map<TrialKey, std::vector<trials::PresentationRow>> answered;
-  for (auto& [trial, intervals] : last) {
-    for (auto& [interval, presentation] : intervals) answered[trial].push_back(std::move(presentation));
-  }
-  return answered;
+  return places;
 }
 
-// What a force curve is averaged from.
-struct Stimulus {
-  std::string run_mode{};
-  std::size_t cell = 0;
-  std::string condition{};
-  bool operator<(const Stimulus& other) const {
-    return std::tie(run_mode, cell, condition) < std::tie(other.run_mode, other.cell, other.condition);
-  }
-};
-using Presented = std::map<Stimulus, std::vector<std::int64_t>>;  // ids of presentations
+analysis::TrialRow trial_of(const trials::Protocol& protocol, const trials::AnsweredTrial& answered,
+                            std::size_t session) {
+  const trials::Trial& trial = answered.drawn.trial;
+  const trials::AnswerRow& answer = answered.answer;
+  analysis::TrialRow row{.session = session,
+                         .cell = trial.cell,
+                         .block = trial.block,
+                         .trial = trial.number,
+                         .correct_answer = std::to_string(trial.correct_interval),
+                         .response = std::to_string(answer.response),
+                         .correct = answer.correct,
+                         .response_time_s = answer.response_time,
+                         .answered_utc = answer.committed_utc};
+  row.voided = answered.void_reason.has_value();
+  if (row.voided) row.void_reason = *answered.void_reason;
+  for (const trials::PresentationRow& presentation : answered.intervals)
+    row.intervals.push_back(interval_of(protocol, presentation));
+  return row;
+}
 
-using Voided = std::map<std::pair<std::int64_t, int>, std::string>;  // session and trial: the reason
-
-void add_session(const trials::StudyFile& study, const trials::SessionRow& session, const Voided& voided,
-                 analysis::StudyTable& table, Presented& presented) {
-  std::map<TrialKey, trials::Trial> drawn;
-  for (const trials::DrawnTrial& trial : study.trials(session.id))
-    drawn[{trial.trial.number, trial.draw}] = trial.trial;
-  const auto presentations = answered_presentations(study.presentations(session.id));
-  const std::string run_mode(trials::to_string(session.facts.run_mode));
-  for (const trials::AnswerRow& answer : study.answers(session.id)) {
-    const TrialKey key{answer.trial, answer.draw};
-    const trials::Trial& trial = drawn.at(key);
-    analysis::TrialRow row{.session = table.sessions.size(),
-                           .cell = trial.cell,
-                           .block = trial.block,
-                           .trial = trial.number,
-                           .correct_answer = std::to_string(trial.correct_interval),
-                           .response = std::to_string(answer.response),
-                           .correct = answer.correct,
-                           .response_time_s = answer.response_time,
-                           .answered_utc = answer.committed_utc};
-    const auto reason = voided.find({session.id, answer.trial});
-    row.voided = reason != voided.end();
-    if (row.voided) row.void_reason = reason->second;
-    if (const auto found = presentations.find(key); found != presentations.end()) {
-      for (const trials::PresentationRow& presentation : found->second) {
-        row.intervals.push_back(interval_of(presentation));
-        if (!row.voided) presented[{run_mode, trial.cell, presentation.condition}].push_back(presentation.id);
-      }
-    }
-    table.trials.push_back(std::move(row));
+// What the answers that count were given to.
+Pressed pressed_in(const std::vector<trials::AnsweredTrial>& answered) {
+  Pressed pressed;
+  for (const trials::AnsweredTrial& trial : answered) {
+    if (trial.void_reason) continue;
+    for (const trials::PresentationRow& presentation : trial.intervals)
+      pressed[{trial.session->facts.run_mode, trial.drawn.trial.cell, presentation.condition}].push_back(
+          presentation.id);
   }
-  table.sessions.push_back(session_of(table.design.protocol_sha256, session));
+  return pressed;
 }
 
 // Mean and standard deviation at the depths that at least half of the presentations reached: further in, the
 // mean would be that of those who press hardest.
-analysis::ForceCurve curve_of(const trials::StudyFile& study, const Stimulus& stimulus,
+analysis::ForceCurve curve_of(const trials::StudyFile& study, const PressedCondition& pressed,
                               const std::vector<std::int64_t>& ids) {
   const std::size_t taken = std::min(ids.size(), kPresentationsOfCurve);
-  analysis::ForceCurve curve{.cell = stimulus.cell,
-                             .condition = stimulus.condition,
-                             .run_mode = stimulus.run_mode,
+  analysis::ForceCurve curve{.cell = pressed.cell,
+                             .condition = study.protocol().conditions[pressed.condition].name,
+                             .run_mode = std::string(trials::to_string(pressed.run_mode)),
                              .intervals = taken};
   std::vector<std::vector<double>> at_depth;
   for (std::size_t i = 0; i < taken; ++i) {
@@ -226,24 +216,23 @@ analysis::FrozenPlan frozen_plan_of(const trials::EventRow& event) {
 analysis::StudyTable read_study_table(const trials::StudyFile& study, bool curves) {
   const trials::Protocol& protocol = study.protocol();
   analysis::StudyTable table{.design = design_of(protocol)};
-  Voided voided;
-  for (const trials::EventRow& event : study.events()) {
-    if (event.kind == trials::event_kind::kVoided && event.session && event.trial) {
-      voided[{*event.session, *event.trial}] = event.text;
-    }
+  const auto events = study.events();
+  for (const trials::EventRow& event : events) {
     if (event.kind == kPlanFrozen) table.frozen_plan = frozen_plan_of(event);
     if (const auto look = look_of(event)) table.looks.push_back(*look);
   }
-  for (const trials::MergedPart& part : trials::merged_parts(study.events()))
+  for (const trials::MergedPart& part : trials::merged_parts(events))
     table.notes.push_back(fmt::format("Joined from the study file {}{}: {} sittings, receipt {}.", part.file,
                                       part.site.empty() ? "" : " of the site " + part.site, part.sessions,
                                       trials::to_string(part.receipt)));
-  Presented presented;
-  for (const trials::SessionRow& session : study.sessions())
-    add_session(study, session, voided, table, presented);
+  const auto answered = trials::answered_trials(study);
+  const auto places = add_sessions(study, table);  // after the answers: a sitting may begin meanwhile
+  for (const trials::AnsweredTrial& trial : answered)
+    table.trials.push_back(trial_of(protocol, trial, places.at(trial.session->id)));
   if (!curves) return table;
   const std::vector<std::string>& order = table.design.conditions;
-  for (const auto& [stimulus, ids] : presented) table.curves.push_back(curve_of(study, stimulus, ids));
+  for (const auto& [pressed, ids] : pressed_in(answered))
+    table.curves.push_back(curve_of(study, pressed, ids));
   const auto place = [&](const std::string& condition) {
     return std::ranges::find(order, condition) - order.begin();
   };

@@ -16,7 +16,8 @@ namespace {
 
 [[noreturn]] void refuse(const std::filesystem::path& file, std::string_view what,
                          std::string_view accepted) {
-  throw std::invalid_argument(fmt::format("{}: {}, accepted: {}", file.string(), what, accepted));
+  throw std::invalid_argument(
+      fmt::format("{}: {}, accepted: {}", file.string(), what, accepted.empty() ? "a file" : accepted));
 }
 
 }  // namespace
@@ -24,8 +25,9 @@ namespace {
 std::string read_file(const std::filesystem::path& file, std::string_view accepted) {
   std::error_code error;
   const auto kind = std::filesystem::status(file, error).type();
-  if (kind == std::filesystem::file_type::not_found)
+  if (kind == std::filesystem::file_type::not_found && accepted.empty())
     throw std::invalid_argument(fmt::format("{}: no such file", file.string()));
+  if (kind == std::filesystem::file_type::not_found) refuse(file, "no such file", accepted);
   if (kind == std::filesystem::file_type::directory) refuse(file, "is a folder", accepted);
   if (!error && kind != std::filesystem::file_type::regular && kind != std::filesystem::file_type::fifo)
     refuse(file, "is a device", accepted);

@@ -92,7 +92,11 @@ class Writer {
  public:
   Writer(const StudyFile& study, const ExportFacts& facts, base::NewFolder& files)
       : study_(study), facts_(facts), files_(files), task_(label_of(study.protocol().name)) {
-    for (const Table& table : checked_tables(study)) tables_.push_back(by_sitting(table));
+    const auto answered = answered_trials(study);
+    const auto unanswered = exposures(study);
+    for (const Table& table : checked_tables(study.protocol(), answered, unanswered))
+      tables_.push_back(by_sitting(table));
+    felt_ = felt_by_sitting(answered, unanswered);
   }
 
   void write() {
@@ -138,7 +142,7 @@ class Writer {
   }
 
   void add_force(const std::string& stem, const SessionRow& session) {
-    const auto frequency = write_physio(study_, session, files_.aside() / (stem + ".tsv.gz"));
+    const auto frequency = write_physio(study_, felt_[session.id], files_.aside() / (stem + ".tsv.gz"));
     if (!frequency) return;
     ordered_json object = {{"SamplingFrequency", *frequency},
                            {"StartTime", 0},
@@ -224,6 +228,7 @@ class Writer {
   base::NewFolder& files_;
   std::string task_;
   std::vector<std::map<SittingKey, Table>> tables_{};
+  std::map<std::int64_t, std::vector<Felt>> felt_{};
   std::map<std::string, std::vector<SessionRow>> sittings_{};
 };
 

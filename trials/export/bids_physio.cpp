@@ -10,8 +10,6 @@
 #include <memory>
 #include <system_error>
 
-#include "trials/tables/table.hpp"
-
 namespace palpate::trials {
 namespace {
 
@@ -99,17 +97,29 @@ std::vector<Column> physio_columns() {
   return columns;
 }
 
-std::optional<double> write_physio(const StudyFile& study, const SessionRow& session,
+std::map<std::int64_t, std::vector<Felt>> felt_by_sitting(const std::vector<AnsweredTrial>& answered,
+                                                          const std::vector<Exposure>& exposures) {
+  std::map<std::int64_t, std::vector<Felt>> by_sitting;
+  for (const AnsweredTrial& trial : answered)
+    for (const PresentationRow& interval : trial.intervals)
+      by_sitting[trial.session->id].push_back({interval, true});
+  for (const auto& [session, presentation] : exposures)
+    by_sitting[session->id].push_back({presentation, false});
+  for (auto& [session, felt] : by_sitting)
+    std::ranges::sort(felt, {}, [](const Felt& one) { return one.presentation.id; });
+  return by_sitting;
+}
+
+std::optional<double> write_physio(const StudyFile& study, const std::vector<Felt>& felt,
                                    const std::filesystem::path& file) {
-  const auto answers = study.answers(session.id);
   std::vector<double> steps;
   std::unique_ptr<GzipFile> gzip;
-  for (const PresentationRow& p : study.presentations(session.id)) {
-    if (!p.complete || p.samples == 0) continue;
+  for (const auto& [p, counts] : felt) {
+    if (p.samples == 0) continue;
     const Trace trace = study.load_trace(p.id);
     add_steps(steps, trace);
     fmt::memory_buffer text;
-    add_rows(text, p, counted(p, answers), trace);
+    add_rows(text, p, counts, trace);
     if (!gzip) {
       std::filesystem::create_directories(file.parent_path());
       gzip = std::make_unique<GzipFile>(file);

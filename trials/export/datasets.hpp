@@ -21,7 +21,8 @@ struct ExportFacts {
 
 /// The three tables of a study, checked against their codebook. Throws std::runtime_error, with the first
 /// reasons, when one does not hold what the codebook promises.
-std::vector<Table> checked_tables(const StudyFile& study);
+std::vector<Table> checked_tables(const Protocol& design, const std::vector<AnsweredTrial>& answered,
+                                  const std::vector<Exposure>& exposures);
 
 // Each writes a folder that appears whole or not at all, after it passed the checks below. Throws
 // std::invalid_argument when the folder is taken or a name cannot be said in the format, std::system_error

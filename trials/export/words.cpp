@@ -114,8 +114,10 @@ void refuse_problems(std::string_view what, const std::vector<std::string>& prob
                   problems.size() > kShown ? fmt::format(" (and {} more)", problems.size() - kShown) : ""));
 }
 
-std::vector<Table> checked_tables(const StudyFile& study) {
-  std::vector<Table> tables{trial_table(study), interval_table(study), exposure_table(study)};
+std::vector<Table> checked_tables(const Protocol& design, const std::vector<AnsweredTrial>& answered,
+                                  const std::vector<Exposure>& exposures) {
+  std::vector<Table> tables{trial_table(design, answered), interval_table(design, answered),
+                            exposure_table(design, exposures)};
   std::vector<std::string> problems;
   for (const Table& table : tables) check_table(table, problems);
   refuse_problems("the tables", problems);

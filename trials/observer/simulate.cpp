@@ -11,6 +11,7 @@
 
 #include "base/clock/utc.hpp"
 #include "trials/study/examinee_code.hpp"
+#include "trials/study/verify.hpp"
 
 namespace palpate::trials {
 namespace {

@@ -8,6 +8,7 @@
 #include "base/clock/utc.hpp"
 #include "base/files/sha256.hpp"
 #include "trials/session/session_state.hpp"
+#include "trials/study/answered_trials.hpp"
 
 namespace palpate::trials {
 namespace {
@@ -40,7 +41,7 @@ void Session::State::start_trial() {
   phase = pending.empty() ? Phase::Finished : Phase::Ready;
 }
 
-void Session::State::store_end(const IntervalRecord& record, std::string_view verdict) {
+void Session::State::store_end(const IntervalRecord& record, Verdict verdict) {
   PresentationRow end{.id = presentation};
   end.onset_utc = record.onset_utc;
   end.verdict = verdict;
@@ -73,15 +74,6 @@ void Session::State::append_event(std::string_view kind, std::string_view text) 
   event.text = text;
   event.utc = base::utc_now();
   stores.append(event);
-}
-
-std::vector<PresentationRow> presentations_of(const std::vector<PresentationRow>& all,
-                                              const DrawnTrial& drawn) {
-  std::vector<PresentationRow> felt;
-  std::ranges::copy_if(all, std::back_inserter(felt), [&](const PresentationRow& p) {
-    return p.trial == drawn.trial.number && p.draw == drawn.draw;
-  });
-  return felt;
 }
 
 Session::Session(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -133,7 +125,7 @@ void Session::begin_interval() {
   PresentationRow row{.session = drawn.session, .trial = drawn.trial.number, .draw = drawn.draw};
   row.interval = state.interval;
   row.attempt = state.attempt + 1;
-  row.condition = state.protocol.conditions.at(state.condition()).name;
+  row.condition = state.condition();
   row.begun_utc = base::utc_now();
   commit(state, [&] { state.presentation = state.stores.presentations.begin(row); });
   ++state.attempt;
@@ -145,7 +137,7 @@ Verdict Session::end_interval(const IntervalRecord& record) {
   State& state = *state_;
   state.expect({Phase::Interval}, "end_interval");
   const Verdict verdict = judge(summarise(record.trace), state.protocol.exploration);
-  commit(state, [&] { state.store_end(record, to_string(verdict)); });
+  commit(state, [&] { state.store_end(record, verdict); });
   state.phase = Phase::Pause;
   if (verdict != Verdict::Enough) {
     state.again = to_string(verdict);
@@ -163,7 +155,7 @@ void Session::interrupt(const IntervalRecord& felt_so_far, std::string_view reas
   state.expect({Phase::Interval, Phase::Pause, Phase::Question}, "interrupt");
   DrawnTrial next;
   commit(state, [&] {
-    if (state.phase == Phase::Interval) state.store_end(felt_so_far, "interrupted");
+    if (state.phase == Phase::Interval) state.store_end(felt_so_far, Verdict::Interrupted);
     state.append_event(event_kind::kInterrupted, reason);
     next = state.draw_again();
   });

@@ -5,7 +5,9 @@
 
 #include "base/clock/utc.hpp"
 #include "trials/session/session_state.hpp"
+#include "trials/study/answered_trials.hpp"
 #include "trials/study/examinee_code.hpp"
+#include "trials/study/verify.hpp"
 
 namespace palpate::trials {
 namespace {

@@ -29,7 +29,7 @@ struct Session::State {
   void expect(std::initializer_list<Phase> accepted, std::string_view call) const;
   std::size_t condition() const;  // of the interval that runs or comes next
 
-  void store_end(const IntervalRecord& record, std::string_view verdict);
+  void store_end(const IntervalRecord& record, Verdict verdict);
   DrawnTrial draw_again();  // stores the next draw of the current trial, with its event, and returns it
   void append_event(std::string_view kind, std::string_view text);
   void start_trial();  // the first interval comes next; writes nothing
@@ -37,9 +37,5 @@ struct Session::State {
   void begin(const SessionFacts& facts, const std::vector<SessionRow>& earlier);
   void resume(const SessionRow& unfinished, const SessionFacts& now);
 };
-
-/// The presentations of one draw of one trial.
-std::vector<PresentationRow> presentations_of(const std::vector<PresentationRow>& all,
-                                              const DrawnTrial& drawn);
 
 }  // namespace palpate::trials

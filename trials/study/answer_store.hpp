@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "trials/study/connection.hpp"
-#include "trials/study/study_file.hpp"
+#include "trials/study/rows.hpp"
 
 namespace palpate::trials {
 

@@ -1,14 +1,14 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
-#include "trials/study/study_file.hpp"
+#include "trials/study/event.hpp"
+#include "trials/study/merged_part.hpp"
+#include "trials/study/rows.hpp"
 
 namespace palpate::trials {
-
-/// The text of the event that tells what a file was joined from; merged_parts() reads it.
-std::string merged_text(const std::vector<MergedPart>& parts);
 
 /// Where the chains of a study file run. A joined file holds its parts' chains as they were, one after the
 /// other, each from its own study's beginning; then its own, which begins with the event that names the parts

@@ -32,13 +32,13 @@ void add(std::string& text, std::string_view name, std::int64_t value) {
   add(text, name, std::string_view(fmt::format("{}", value)));
 }
 
-void add(std::string& text, const PresentationRow& felt) {
+void add(std::string& text, const Protocol& design, const PresentationRow& felt) {
   add(text, "interval", felt.interval);
   add(text, "attempt", felt.attempt);
-  add(text, "condition", felt.condition);
+  add(text, "condition", design.conditions.at(felt.condition).name);
   add(text, "begun", felt.begun_utc);
   add(text, "onset", felt.onset_utc);
-  add(text, "verdict", felt.verdict);
+  add(text, "verdict", felt.verdict ? to_string(*felt.verdict) : std::string_view());
   add(text, "presses", felt.exploration.presses);
   add(text, "time", std::optional(felt.exploration.time));
   add(text, "peak force", std::optional(felt.exploration.peak_force));
@@ -101,7 +101,7 @@ std::string canonical_text(const Protocol& design, const SessionRow& session, co
   std::string text = "answer\n";
   add(text, session);
   add(text, design, drawn);
-  for (const PresentationRow& presentation : felt) add(text, presentation);
+  for (const PresentationRow& presentation : felt) add(text, design, presentation);
   add(text, "response", answer.response);
   add(text, "correct", answer.correct ? 1 : 0);
   add(text, "response time", answer.response_time);
@@ -134,7 +134,7 @@ std::string begun_text(const Protocol& design, const SessionRow& session,
 std::string drawn_again_text(const Protocol& design, const DrawnTrial& next,
                              const std::vector<PresentationRow>& felt_before) {
   std::string exposure;
-  for (const PresentationRow& presentation : felt_before) add(exposure, presentation);
+  for (const PresentationRow& presentation : felt_before) add(exposure, design, presentation);
   std::string text;
   add(text, design, next);
   add(text, "presentations before", static_cast<std::int64_t>(felt_before.size()));

@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "trials/study/connection.hpp"
-#include "trials/study/study_file.hpp"
+#include "trials/study/event.hpp"
+#include "trials/study/receipt.hpp"
+#include "trials/study/rows.hpp"
 
 namespace palpate::trials {
 

@@ -12,6 +12,7 @@
 #include "trials/study/file_check.hpp"
 #include "trials/study/new_study.hpp"
 #include "trials/study/stores.hpp"
+#include "trials/study/verify.hpp"
 
 namespace palpate::trials {
 namespace {
@@ -139,7 +140,7 @@ class Merger {
       const auto trace = source.stores->presentations.trace(p.id);
       p.session = id;
       p.id = presentations_.begin(p);
-      if (p.complete) presentations_.end(p, trace ? trace->first : std::string());
+      if (p.closed()) presentations_.end(p, trace ? trace->first : std::string());
     }
     for (AnswerRow answer : source.stores->answers.of_session(session.id)) {
       answer.session = id;
@@ -152,7 +153,7 @@ class Merger {
   LedgerStore ledger_{database_};
   SessionStore sessions_store_{database_};
   TrialStore trials_{database_, design_};
-  PresentationStore presentations_{database_};
+  PresentationStore presentations_{database_, design_};
   AnswerStore answers_{database_};
   EventStore events_{database_};
   std::int64_t sessions_ = 0, entries_ = 0;  // added before the current source

@@ -1,12 +1,30 @@
 #include "trials/study/presentation_store.hpp"
 
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "trials/study/named.hpp"
+
 namespace palpate::trials {
+namespace {
+
+Verdict verdict_of(const std::string& stored) {
+  try {
+    return verdict_from(stored);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("the study file is damaged: a presentation's {}", error.what()));
+  }
+}
+
+}  // namespace
 
 std::int64_t PresentationStore::begin(const PresentationRow& p) {
   Query(database_,
         "INSERT INTO presentation (session, trial, draw, interval, attempt, condition, begun_utc) "
         "VALUES (?, ?, ?, ?, ?, ?, ?)",
-        p.session, p.trial, p.draw, p.interval, p.attempt, p.condition, p.begun_utc)
+        p.session, p.trial, p.draw, p.interval, p.attempt, design_.conditions.at(p.condition).name,
+        p.begun_utc)
       .run();
   return database_.getLastInsertRowid();
 }
@@ -23,8 +41,9 @@ void PresentationStore::end(const PresentationRow& p, const std::string& encoded
         "INSERT INTO presentation_end (presentation, onset_utc, verdict, n_presses, exploration_time_s, "
         "peak_force_n, max_depth_m, clamped_fraction, loop_rate_hz, loop_p999_ms, missed_cycles) "
         "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
-        p.id, p.onset_utc, p.verdict, p.exploration.presses, p.exploration.time, p.exploration.peak_force,
-        p.exploration.max_depth, p.clamped_fraction, rate, p999, missed)
+        p.id, p.onset_utc, std::string(to_string(p.verdict.value())), p.exploration.presses,
+        p.exploration.time, p.exploration.peak_force, p.exploration.max_depth, p.clamped_fraction, rate, p999,
+        missed)
       .run();
   Query(database_, "INSERT INTO trace (presentation, samples, sha256, columns) VALUES (?, ?, ?, ?)", p.id,
         static_cast<std::int64_t>(p.samples), p.trace_sha256, Blob{encoded_trace})
@@ -49,12 +68,11 @@ std::vector<PresentationRow> PresentationStore::of_session(std::int64_t session)
     p.draw = rows.number(2);
     p.interval = rows.number(3);
     p.attempt = rows.number(4);
-    p.condition = rows.text(5);
+    p.condition = index_of(design_.conditions, rows.text(5), "a presentation");
     p.begun_utc = rows.text(6);
-    p.complete = !rows.is_null(7);
-    if (p.complete) {
+    if (!rows.is_null(7)) {
       p.onset_utc = rows.text(7);
-      p.verdict = rows.text(8);
+      p.verdict = verdict_of(rows.text(8));
       p.exploration = {rows.number(9), rows.real(10), rows.real(11), rows.real(12)};
       p.clamped_fraction = rows.real(13);
       if (!rows.is_null(14)) p.loop = LoopTiming{rows.real(14), rows.real(15), rows.integer(16)};

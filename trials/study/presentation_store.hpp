@@ -3,16 +3,18 @@
 #include <vector>
 
 #include "trials/study/connection.hpp"
-#include "trials/study/study_file.hpp"
+#include "trials/study/rows.hpp"
 
 namespace palpate::trials {
 
-/// What was shown: a row when an interval begins, another when it ends, and its trace.
+/// What was shown: a row when an interval begins, another when it ends, and its trace. Conditions are kept by
+/// name; `design` says which is which.
 class PresentationStore {
  public:
-  explicit PresentationStore(SQLite::Database& database) : database_(database) {}
-  /// Begins a presentation (session, trial, draw, interval, attempt, condition, begun_utc) and returns its
-  /// id.
+  PresentationStore(SQLite::Database& database, const Protocol& design)
+      : database_(database), design_(design) {}
+  /// Begins a presentation (session, trial, draw, interval, attempt, condition, begun_utc) and returns
+  /// its id.
   std::int64_t begin(const PresentationRow& presentation);
   /// Ends it: all that is not set by begin(), the trace's checksum included.
   void end(const PresentationRow& presentation, const std::string& encoded_trace);
@@ -22,6 +24,7 @@ class PresentationStore {
 
  private:
   SQLite::Database& database_;
+  const Protocol& design_;
 };
 
 }  // namespace palpate::trials

@@ -31,7 +31,7 @@ struct StudyFile::Stores {
   Protocol design;
   SessionStore sessions{database};
   TrialStore trials{database, design};
-  PresentationStore presentations{database};
+  PresentationStore presentations{database, design};
   LedgerStore ledger{database};
   AnswerStore answers{database};
   EventStore events{database};

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <stdexcept>
 
 #include "base/clock/utc.hpp"
@@ -15,8 +13,6 @@
 
 namespace palpate::trials {
 namespace {
-
-constexpr std::array kRunModes{RunMode::Study, RunMode::Pilot, RunMode::Practice, RunMode::Simulated};
 
 StudyRow study_of(const Protocol& protocol, std::string_view software_version) {
   return {.uuid = fresh_uuid(),
@@ -46,54 +42,6 @@ void check_same_study(const std::filesystem::path& path, const StudyRow& study, 
 }
 
 }  // namespace
-
-std::string_view to_string(RunMode mode) {
-  switch (mode) {
-    case RunMode::Study:
-      return "study";
-    case RunMode::Pilot:
-      return "pilot";
-    case RunMode::Practice:
-      return "practice";
-    case RunMode::Simulated:
-      return "simulated";
-  }
-  return "";
-}
-
-RunMode run_mode_from(std::string_view name) {
-  const auto found = std::ranges::find_if(kRunModes, [&](RunMode mode) { return to_string(mode) == name; });
-  if (found == kRunModes.end())
-    throw std::invalid_argument(
-        fmt::format("run mode: found \"{}\", accepted: study, pilot, practice, simulated", name));
-  return *found;
-}
-
-std::string to_string(const Receipt& receipt) {
-  return fmt::format("{}-{}", receipt.entries, receipt.head);
-}
-
-Receipt parse_receipt(std::string_view as_given) {
-  constexpr std::string_view kSpaces = " \t\r\n";
-  constexpr std::size_t kFewestDigits = 16, kDigits = 64;  // 64 bits are enough against chance
-  const std::size_t first = std::min(as_given.find_first_not_of(kSpaces), as_given.size());
-  const std::string_view text = as_given.substr(first, as_given.find_last_not_of(kSpaces) + 1 - first);
-  const auto dash = text.find('-');
-  const std::string_view count = text.substr(0, dash);
-  Receipt receipt;
-  const auto read = std::from_chars(count.data(), count.data() + count.size(), receipt.entries);
-  if (dash != std::string_view::npos) receipt.head = text.substr(dash + 1);
-  for (char& c : receipt.head)
-    if (c >= 'A' && c <= 'F') c = static_cast<char>(c - 'A' + 'a');
-  const bool hexadecimal = receipt.head.find_first_not_of("0123456789abcdef") == std::string::npos;
-  if (read.ec != std::errc() || read.ptr != count.data() + count.size() || receipt.entries < 0 ||
-      receipt.head.size() < kFewestDigits || receipt.head.size() > kDigits || !hexadecimal)
-    throw std::invalid_argument(
-        fmt::format("receipt: found \"{}\", accepted: a number, a hyphen and {} hexadecimal digits, or the "
-                    "first {} of them or more, as printed at a session's end",
-                    as_given, kDigits, kFewestDigits));
-  return receipt;
-}
 
 StudyFile::StudyFile(std::unique_ptr<Stores> stores) : stores_(std::move(stores)) {}
 StudyFile::~StudyFile() = default;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "trials/study/connection.hpp"
-#include "trials/study/study_file.hpp"
+#include "trials/study/rows.hpp"
 
 namespace palpate::trials {
 

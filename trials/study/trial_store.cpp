@@ -1,23 +1,10 @@
 #include "trials/study/trial_store.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <stdexcept>
+
+#include "trials/study/named.hpp"
 
 namespace palpate::trials {
-namespace {
-
-template <class Named>
-std::size_t index_of(const std::vector<Named>& all, std::string_view name) {
-  const auto found = std::ranges::find(all, name, &Named::name);
-  if (found == all.end())
-    throw std::invalid_argument(fmt::format(
-        "the study file is damaged: a trial names \"{}\", which its protocol does not have", name));
-  return static_cast<std::size_t>(found - all.begin());
-}
-
-}  // namespace
 
 void TrialStore::add(const DrawnTrial& drawn) {
   const Trial& trial = drawn.trial;
@@ -33,6 +20,7 @@ void TrialStore::add(const DrawnTrial& drawn) {
 }
 
 std::vector<DrawnTrial> TrialStore::of_session(std::int64_t session) const {
+  constexpr std::string_view kTrial = "a trial";
   std::vector<DrawnTrial> trials;
   Query rows(
       database_,
@@ -43,12 +31,13 @@ std::vector<DrawnTrial> TrialStore::of_session(std::int64_t session) const {
     DrawnTrial drawn{.session = session, .draw = rows.number(1)};
     drawn.trial.number = rows.number(0);
     drawn.trial.block = rows.number(2);
-    drawn.trial.cell = index_of(design_.cells, rows.text(3));
+    drawn.trial.cell = index_of(design_.cells, rows.text(3), kTrial);
     drawn.trial.correct_interval = rows.number(5);
     const std::string order = rows.text(4);
     for (std::size_t at = 0; at <= order.size();) {
       const std::size_t comma = std::min(order.find(',', at), order.size());
-      drawn.trial.interval_condition.push_back(index_of(design_.conditions, order.substr(at, comma - at)));
+      drawn.trial.interval_condition.push_back(
+          index_of(design_.conditions, order.substr(at, comma - at), kTrial));
       at = comma + 1;
     }
     trials.push_back(std::move(drawn));

@@ -1,3 +1,5 @@
+#include "trials/study/verify.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +16,7 @@
 namespace palpate::trials {
 namespace {
 
-void check_database(SQLite::Database& database, VerifyScope scope, Problems& problems) {
+void check_database(SQLite::Database& database, VerifyScope scope, FirstProblems& problems) {
   if (scope == VerifyScope::Everything) {
     Query integrity(database, "PRAGMA integrity_check(20)");
     while (integrity.next())
@@ -25,7 +27,7 @@ void check_database(SQLite::Database& database, VerifyScope scope, Problems& pro
     problems.add("database: a row of {} refers to a row that is not there", foreign.text(0));
 }
 
-void check_identity(const StudyRow& study, Problems& problems) {
+void check_identity(const StudyRow& study, FirstProblems& problems) {
   if (base::sha256_hex(study.protocol_text) != study.protocol_sha256)
     problems.add("study: the protocol's text does not have the hash that is stored with it");
   const auto scene = std::ranges::find(study.files, "scene", &FileHash::name);
@@ -34,7 +36,7 @@ void check_identity(const StudyRow& study, Problems& problems) {
 }
 
 void check_chain(const StudyFile::Stores& stores, const ChainParts& chains,
-                 const std::map<std::int64_t, std::string>& texts, Problems& problems) {
+                 const std::map<std::int64_t, std::string>& texts, FirstProblems& problems) {
   std::string previous;
   std::int64_t expected = 0;
   const auto ledger = stores.ledger.all();
@@ -59,7 +61,7 @@ void check_chain(const StudyFile::Stores& stores, const ChainParts& chains,
 }
 
 /// Each part still ends where it ended when the file was joined.
-void check_parts(const ChainParts& chains, const std::vector<LedgerEntry>& ledger, Problems& problems) {
+void check_parts(const ChainParts& chains, const std::vector<LedgerEntry>& ledger, FirstProblems& problems) {
   for (const auto& chain : chains.chains()) {
     if (!chain.part || chain.entries == 0) continue;
     const auto last = std::ranges::find(ledger, chain.before + chain.entries, &LedgerEntry::entry);
@@ -81,7 +83,7 @@ bool holds(const ChainParts& chains, const std::vector<LedgerEntry>& ledger, con
 }
 
 void check_receipt(const StudyFile::Stores& stores, const ChainParts& chains, const Receipt& receipt,
-                   Problems& problems) {
+                   FirstProblems& problems) {
   const auto ledger = stores.ledger.all();
   if (holds(chains, ledger, receipt)) return;
   const std::string unless = "the receipt does not fit (a slip of the pen?)";
@@ -100,7 +102,7 @@ void check_receipt(const StudyFile::Stores& stores, const ChainParts& chains, co
 }
 
 /// What the file was joined from; none, and a problem, when that cannot be read.
-std::vector<MergedPart> read_parts(const std::vector<EventRow>& events, Problems& problems) {
+std::vector<MergedPart> read_parts(const std::vector<EventRow>& events, FirstProblems& problems) {
   try {
     return merged_parts(events);
   } catch (const std::invalid_argument& error) {
@@ -112,7 +114,7 @@ std::vector<MergedPart> read_parts(const std::vector<EventRow>& events, Problems
 /// All that needs the tables and the protocol to be readable.
 void check_rows(const std::filesystem::path& path, SQLite::Database database,
                 const std::optional<Receipt>& receipt, VerifyScope scope, VerifyReport& report,
-                Problems& problems) {
+                FirstProblems& problems) {
   check_database(database, scope, problems);
   check_identity(StudyStore(database).get(), problems);
   const StudyFile::Stores stores(path, std::move(database));
@@ -141,7 +143,7 @@ VerifyReport verify_study(const std::filesystem::path& path, const std::optional
                           VerifyScope scope) {
   check_is_study_file(path);
   VerifyReport report;
-  Problems problems;
+  FirstProblems problems;
   guarded(path, [&] {
     SQLite::Database database = open_for_reading(path);
     database.exec("BEGIN");  // one snapshot: a sitting may go on meanwhile

@@ -5,13 +5,13 @@
 #include <stdexcept>
 
 #include "base/files/sha256.hpp"
-#include "trials/session/session_state.hpp"
+#include "trials/study/answered_trials.hpp"
 
 namespace palpate::trials {
 namespace {
 
 void check_trace(const StudyFile::Stores& stores, const std::string& place, const PresentationRow& p,
-                 Problems& problems) {
+                 FirstProblems& problems) {
   const auto stored = stores.presentations.trace(p.id);
   if (!stored) return problems.add("{}: its trace is missing", place);
   if (base::sha256_hex(stored->first) != p.trace_sha256)
@@ -27,19 +27,18 @@ void check_trace(const StudyFile::Stores& stores, const std::string& place, cons
 }
 
 /// The trial against the plan that was drawn, and what was shown against the trial.
-void check_answer(const Protocol& design, const std::string& place, const DrawnTrial& drawn,
-                  const std::vector<PresentationRow>& felt, const AnswerRow& answer, Problems& problems) {
-  const auto& order = drawn.trial.interval_condition;
+void check_answer(const Protocol& design, const std::string& place, const AnsweredTrial& answered,
+                  FirstProblems& problems) {
+  const Trial& trial = answered.drawn.trial;
+  const auto& order = trial.interval_condition;
   const auto holds = std::ranges::find(order, design.correct);
-  if (holds == order.end() || drawn.trial.correct_interval != 1 + (holds - order.begin()))
+  if (holds == order.end() || trial.correct_interval != 1 + (holds - order.begin()))
     problems.add("{}: the correct interval is not the one that held the correct condition", place);
-  if (answer.correct != (answer.response == drawn.trial.correct_interval))
+  if (answered.answer.correct != (answered.answer.response == trial.correct_interval))
     problems.add("{}: whether the answer is correct does not follow from the order", place);
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const std::string& name = design.conditions[order[i]].name;
-    const bool shown = std::ranges::any_of(felt, [&](const PresentationRow& p) {
-      return p.interval == static_cast<int>(i + 1) && p.condition == name &&
-             p.verdict == to_string(Verdict::Enough);
+  for (int i = 0; i < std::ssize(order); ++i) {
+    const bool shown = std::ranges::any_of(answered.intervals, [&](const PresentationRow& p) {
+      return p.interval == i + 1 && p.condition == order[i];
     });
     if (!shown) problems.add("{}: interval {} was never shown as drawn and explored enough", place, i + 1);
   }
@@ -69,7 +68,7 @@ std::string difference(const std::string& hashed, const std::string& in_file) {
 
 /// Every trial of the protocol is drawn, each draw in its turn, and each cell as often as it is to be.
 void check_plan(const Protocol& design, const std::string& who, const std::vector<DrawnTrial>& trials,
-                Problems& problems) {
+                FirstProblems& problems) {
   std::vector<int> in_cell(design.cells.size(), 0);
   std::map<int, int> draws;  // by trial
   for (const DrawnTrial& drawn : trials) {
@@ -93,7 +92,7 @@ void check_plan(const Protocol& design, const std::string& who, const std::vecto
 
 /// The sitting's facts and the orders as first drawn are those that were hashed when it began.
 void check_beginning(const SittingInFile& in, const std::string& who, const std::vector<DrawnTrial>& trials,
-                     Problems& problems) {
+                     FirstProblems& problems) {
   const auto begun = events_of(in, event_kind::kBegun);
   if (begun.size() != 1)
     return problems.add("{}: {} events of its beginning in the chain, there must be one", who, begun.size());
@@ -109,7 +108,7 @@ void check_beginning(const SittingInFile& in, const std::string& who, const std:
 
 /// Each order that replaced another, and what was felt before, are those that were hashed then.
 void check_redraws(const SittingInFile& in, const std::string& who, const std::vector<DrawnTrial>& trials,
-                   const std::vector<PresentationRow>& presentations, Problems& problems) {
+                   const std::vector<PresentationRow>& presentations, FirstProblems& problems) {
   std::size_t matched = 0;
   for (const DrawnTrial& drawn : trials) {
     if (drawn.draw == 0) continue;
@@ -134,52 +133,47 @@ void check_redraws(const SittingInFile& in, const std::string& who, const std::v
 }
 
 /// Checks each answer and gathers its text.
-void check_answers(const SittingInFile& in, const std::string& who, const std::vector<DrawnTrial>& trials,
-                   const std::vector<PresentationRow>& presentations, const std::vector<AnswerRow>& answers,
-                   std::map<std::int64_t, std::string>& texts, Problems& problems) {
+void check_answers(const SittingInFile& in, const std::string& who, SittingRows rows,
+                   std::map<std::int64_t, std::string>& texts, FirstProblems& problems) {
   const Protocol& design = in.stores.design;
-  for (const AnswerRow& answer : answers) {
-    const std::string place = fmt::format("{}, trial {}", who, answer.trial);
-    const auto drawn = std::ranges::find_if(trials, [&](const DrawnTrial& trial) {
-      return trial.trial.number == answer.trial && trial.draw == answer.draw;
-    });
-    if (drawn == trials.end()) {
-      problems.add("{}: is answered but was never drawn", place);
-      continue;
-    }
-    const auto felt = presentations_of(presentations, *drawn);
-    check_answer(design, place, *drawn, felt, answer, problems);
-    texts[answer.entry] =
-        canonical_text(design, in.chains.as_hashed(in.session, answer.entry), *drawn, felt, answer);
+  const auto answers = std::ssize(rows.answers);
+  const JoinedSitting joined = join(in.session, std::move(rows), {});
+  for (const AnswerRow& answer : joined.without_trial)
+    problems.add("{}, trial {}: is answered but was never drawn", who, answer.trial);
+  for (const AnsweredTrial& answered : joined.answered) {
+    const AnswerRow& answer = answered.answer;
+    check_answer(design, fmt::format("{}, trial {}", who, answer.trial), answered, problems);
+    texts[answer.entry] = canonical_text(design, in.chains.as_hashed(in.session, answer.entry),
+                                         answered.drawn, shown_for(answered), answer);
   }
-  if (in.session.ended_utc && static_cast<int>(answers.size()) != trials_per_session(design))
-    problems.add("{}: has ended with {} answers of {}", who, answers.size(), trials_per_session(design));
+  if (in.session.ended_utc && answers != trials_per_session(design))
+    problems.add("{}: has ended with {} answers of {}", who, answers, trials_per_session(design));
 }
 
 }  // namespace
 
 void check_session(const SittingInFile& in, VerifyScope scope, std::map<std::int64_t, std::string>& texts,
-                   VerifyReport& report, Problems& problems) {
+                   VerifyReport& report, FirstProblems& problems) {
   const SessionRow& session = in.session;
   const std::string who = fmt::format("examinee {}, sitting {}", session.facts.examinee, session.number);
-  const auto trials = in.stores.trials.of_session(session.id);
-  const auto presentations = in.stores.presentations.of_session(session.id);
-  const auto answers = in.stores.answers.of_session(session.id);
+  const SittingRows rows{in.stores.trials.of_session(session.id),
+                         in.stores.presentations.of_session(session.id),
+                         in.stores.answers.of_session(session.id)};
   if (in.chains.lacks_site(session))
     problems.add("{}: its code does not begin with its site, {}", who,
                  in.chains.chain_of_session(session.id).part->site);
-  check_plan(in.stores.design, who, trials, problems);
-  check_beginning(in, who, trials, problems);
-  check_redraws(in, who, trials, presentations, problems);
-  check_answers(in, who, trials, presentations, answers, texts, problems);
+  check_plan(in.stores.design, who, rows.trials, problems);
+  check_beginning(in, who, rows.trials, problems);
+  check_redraws(in, who, rows.trials, rows.presentations, problems);
+  check_answers(in, who, rows, texts, problems);
   if (scope == VerifyScope::Everything)
-    for (const PresentationRow& p : presentations)
-      if (p.complete)
+    for (const PresentationRow& p : rows.presentations)
+      if (p.closed())
         check_trace(in.stores, fmt::format("{}, trial {}, interval {}", who, p.trial, p.interval), p,
                     problems);
   ++report.sessions;
-  report.answers += static_cast<int>(answers.size());
-  report.presentations += static_cast<int>(presentations.size());
+  report.answers += static_cast<int>(rows.answers.size());
+  report.presentations += static_cast<int>(rows.presentations.size());
 }
 
 }  // namespace palpate::trials

@@ -9,12 +9,12 @@
 
 #include "trials/study/chain_parts.hpp"
 #include "trials/study/stores.hpp"
-#include "trials/study/study_file.hpp"
+#include "trials/study/verify.hpp"
 
 namespace palpate::trials {
 
 /// What is wrong with a study file, the first of it.
-class Problems {
+class FirstProblems {
  public:
   template <class... Values>
   void add(fmt::format_string<Values...> format, Values&&... values) {
@@ -38,6 +38,6 @@ struct SittingInFile {
 /// Checks one sitting (its facts and orders against what was hashed when it began, answers against orders and
 /// presentations, traces) and gathers the text of each of its answers, by entry of the chain.
 void check_session(const SittingInFile& sitting, VerifyScope scope,
-                   std::map<std::int64_t, std::string>& texts, VerifyReport& report, Problems& problems);
+                   std::map<std::int64_t, std::string>& texts, VerifyReport& report, FirstProblems& problems);
 
 }  // namespace palpate::trials

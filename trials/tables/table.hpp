@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "trials/study/study_file.hpp"
+#include "trials/study/answered_trials.hpp"
 #include "trials/tables/codebook.hpp"
 
 namespace palpate::trials {
@@ -19,16 +19,15 @@ struct Table {
   std::vector<std::vector<Value>> rows{};
 };
 
+// The tables of a study of `design`; its file is read once for all of them.
+
 /// One row an answered question.
-Table trial_table(const StudyFile& study);
+Table trial_table(const Protocol& design, const std::vector<AnsweredTrial>& answered);
 
 /// One row an interval of an answered question, as it counted.
-Table interval_table(const StudyFile& study);
+Table interval_table(const Protocol& design, const std::vector<AnsweredTrial>& answered);
 
 /// One row a presentation that did not count: explored too little, or of a trial that was cut off.
-Table exposure_table(const StudyFile& study);
-
-/// Whether an answer was given to a presentation; `answers` are those of its sitting.
-bool counted(const PresentationRow& presentation, const std::vector<AnswerRow>& answers);
+Table exposure_table(const Protocol& design, const std::vector<Exposure>& exposures);
 
 }  // namespace palpate::trials

@@ -12,6 +12,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "base/text/enum_words.hpp"
+
 namespace palpate::trials {
 namespace {
 
@@ -20,6 +22,12 @@ static_assert(std::endian::native == std::endian::little, "traces are stored as 
 constexpr double kPressBegins = 0.5e-3;  // [m]
 constexpr double kPressEnds = 0.25e-3;   // [m]
 constexpr std::size_t kColumns = 9;
+
+constexpr base::EnumWords<Verdict, 5> kVerdicts{{{Verdict::Enough, "enough"},
+                                                 {Verdict::TooFewPresses, "too few presses"},
+                                                 {Verdict::TooManyPresses, "too many presses"},
+                                                 {Verdict::TooShallow, "not pressed deep enough"},
+                                                 {Verdict::Interrupted, "interrupted"}}};
 
 std::array<float, kColumns> columns_of(const TraceSample& s) {
   return {s.time,     s.proposed_depth, s.depth,   s.displacement[0], s.displacement[1], s.displacement[2],
@@ -79,17 +87,13 @@ Verdict judge(const ExplorationSummary& summary, const Exploration& rule) {
 }
 
 std::string_view to_string(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::Enough:
-      return "enough";
-    case Verdict::TooFewPresses:
-      return "too few presses";
-    case Verdict::TooManyPresses:
-      return "too many presses";
-    case Verdict::TooShallow:
-      return "not pressed deep enough";
-  }
-  return "";
+  return base::word_of(kVerdicts, verdict);
+}
+
+Verdict verdict_from(std::string_view word) {
+  if (const auto verdict = base::value_of(kVerdicts, word)) return *verdict;
+  throw std::invalid_argument(
+      fmt::format("verdict: found \"{}\", accepted: {}", word, base::accepted_words(kVerdicts)));
 }
 
 std::string encode(const Trace& trace) {

@@ -62,12 +62,17 @@ class PressCounter {
   bool pressing_ = false;
 };
 
-/// Whether a presentation fulfils the exploration rule; else the interval is shown again.
-enum class Verdict { Enough, TooFewPresses, TooManyPresses, TooShallow };
+/// How a presentation ended: fulfilling the exploration rule, or else why it is shown again. `Interrupted`:
+/// cut off, whatever had been felt by then.
+enum class Verdict { Enough, TooFewPresses, TooManyPresses, TooShallow, Interrupted };
+
+/// Never `Interrupted`.
 Verdict judge(const ExplorationSummary& summary, const Exploration& rule);
 
 /// What the examinee (or the log) is told: never anything about the stimulus.
 std::string_view to_string(Verdict verdict);
+/// The verdict that the log has this word for. Throws std::invalid_argument, lists what is accepted.
+Verdict verdict_from(std::string_view word);
 
 /// A trace as the study file keeps it: little-endian float32 column by column, zlib.
 std::string encode(const Trace& trace);

@@ -1,3 +1,5 @@
+#include "app/commands/check/check.hpp"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -14,7 +16,6 @@
 #include "app/command_line/output.hpp"
 #include "app/command_line/scene_options.hpp"
 #include "app/command_line/user_cache.hpp"
-#include "app/commands/commands.hpp"
 #include "app/commands/mesh/mesh_report.hpp"
 #include "app/study/study_plan.hpp"
 #include "app/study/study_table.hpp"
@@ -295,21 +296,24 @@ void run_check(const CheckOptions& options) {
   print(check_protocol(options.input.file), options.format);
 }
 
-}  // namespace
-
-void add_check(CLI::App& app) {
+void add(CLI::App& command) {
   auto options = std::make_shared<CheckOptions>();
-  CLI::App* command =
-      app.add_subcommand("check", "Validates a protocol, a scene or a mesh, and says what it amounts to");
-  add_scene(*command, options->input);
-  command->get_option("scene")->description("Protocol or scene (TOML), or mesh (MSH, VTU)");
-  command->add_option("--unit", options->unit, "Unit of a mesh file's coordinates: m, cm, mm or um");
-  add_format(*command, options->format);
-  command->footer(
+  add_scene(command, options->input);
+  command.get_option("scene")->description("Protocol or scene (TOML), or mesh (MSH, VTU)");
+  command.add_option("--unit", options->unit, "Unit of a mesh file's coordinates: m, cm, mm or um");
+  add_format(command, options->format);
+  command.footer(
       "Examples:\n  palpate check protocols/kuroda2003.toml\n  palpate check "
       "data/scenes/rectal-palpation.toml\n"
       "  palpate check prostate.msh --unit mm");
-  command->callback([options] { run_check(*options); });
+  command.callback([options] { run_check(*options); });
 }
+
+}  // namespace
+
+const Command check_command{.name = "check",
+                            .summary = "Validates a protocol, a scene or a mesh, and says what it amounts to",
+                            .heading = "Run a study",
+                            .add = add};
 
 }  // namespace palpate::app

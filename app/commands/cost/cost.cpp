@@ -1,3 +1,5 @@
+#include "app/commands/cost/cost.hpp"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -11,7 +13,6 @@
 #include "app/command_line/plot.hpp"
 #include "app/command_line/scene_options.hpp"
 #include "app/command_line/user_cache.hpp"
-#include "app/commands/commands.hpp"
 #include "base/machine/machine.hpp"
 #include "sim/compile/compile.hpp"
 #include "sim/cost/cycle_cost.hpp"
@@ -194,30 +195,32 @@ void run_cost(const CostOptions& options) {
   fmt::print(stderr, "wrote {}\n", options.plot);
 }
 
-}  // namespace
-
-void add_cost(CLI::App& app) {
+void add(CLI::App& command) {
   auto options = std::make_shared<CostOptions>();
-  CLI::App* command = app.add_subcommand("cost", "What accuracy costs in time (Fig. 5)");
-  command->add_option("scenes", options->scenes, "Scene files (TOML), one or several")->required();
-  command->add_option("--model", options->common.model,
-                      "Only this contact model: none, sibille or kuroda (default: each)");
+  command.add_option("scenes", options->scenes, "Scene files (TOML), one or several")->required();
+  command.add_option("--model", options->common.model,
+                     "Only this contact model: none, sibille or kuroda (default: each)");
   command
-      ->add_option("--set", options->common.set,
-                   "Replace an entry of every scene, e.g. bodies.prostate.young_modulus=\"5 MPa\"")
+      .add_option("--set", options->common.set,
+                  "Replace an entry of every scene, e.g. bodies.prostate.young_modulus=\"5 MPa\"")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  command->add_option("--depth", options->depth,
-                      "How deep, with its unit (default: the probe's in the scene)");
-  command->add_option("--plot", options->plot,
-                      "Write a plot, .svg or .png: time over nodes for several scenes, over depth for one");
-  add_format(*command, options->format);
-  command->footer(
+  command.add_option("--depth", options->depth,
+                     "How deep, with its unit (default: the probe's in the scene)");
+  command.add_option("--plot", options->plot,
+                     "Write a plot, .svg or .png: time over nodes for several scenes, over depth for one");
+  add_format(command, options->format);
+  command.footer(
       "Deformation is the body moved by the probes alone; interaction is detection and contact; the limit is "
       "the\n"
       "time to read once the compliance that the final contacts need. Measure on a quiet machine.\n"
       "Example:\n  palpate cost data/scenes/sphere-on-cube-*.toml --model kuroda --plot fig5.svg");
-  command->callback([options] { run_cost(*options); });
+  command.callback([options] { run_cost(*options); });
 }
+
+}  // namespace
+
+const Command cost_command{
+    .name = "cost", .summary = "What accuracy costs in time (Fig. 5)", .heading = "Touch", .add = add};
 
 }  // namespace palpate::app

@@ -1,3 +1,5 @@
+#include "app/commands/demo/demo.hpp"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -6,7 +8,6 @@
 
 #include "analysis/report/write_report.hpp"
 #include "app/command_line/output.hpp"
-#include "app/commands/commands.hpp"
 #include "app/study/simulation.hpp"
 #include "app/study/study_table.hpp"
 #include "base/clock/utc.hpp"
@@ -51,23 +52,26 @@ void run_demo(const DemoOptions& options) {
              trials::to_string(result.receipt));
 }
 
-}  // namespace
-
-void add_demo(CLI::App& app) {
+void add(CLI::App& command) {
   auto options = std::make_shared<DemoOptions>();
-  CLI::App* command =
-      app.add_subcommand("demo", "The 2003 study from start to report, with simulated examinees");
   command
-      ->add_option("--out", options->out,
-                   "Folder for study file and report; a number is added where it exists")
+      .add_option("--out", options->out,
+                  "Folder for study file and report; a number is added where it exists")
       ->capture_default_str();
-  command->add_option("--examinees", options->examinees, "How many")
+  command.add_option("--examinees", options->examinees, "How many")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  add_seed(*command, "Makes orders and answers repeatable; else the system's entropy",
+  add_seed(command, "Makes orders and answers repeatable; else the system's entropy",
            [options](std::uint64_t seed) { options->seed = seed; });
-  command->footer("Example:\n  palpate demo --seed 1\nNo person takes part; every page says so.");
-  command->callback([options] { run_demo(*options); });
+  command.footer("Example:\n  palpate demo --seed 1\nNo person takes part; every page says so.");
+  command.callback([options] { run_demo(*options); });
 }
+
+}  // namespace
+
+const Command demo_command{.name = "demo",
+                           .summary = "The 2003 study from start to report, with simulated examinees",
+                           .heading = "Begin",
+                           .add = add};
 
 }  // namespace palpate::app

@@ -1,3 +1,5 @@
+#include "app/commands/export/export.hpp"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -8,9 +10,9 @@
 
 #include "app/command_line/interrupt.hpp"
 #include "app/command_line/progress.hpp"
-#include "app/commands/commands.hpp"
 #include "base/clock/utc.hpp"
 #include "trials/export/datasets.hpp"
+#include "trials/study/verify.hpp"
 
 namespace palpate::app {
 namespace {
@@ -46,25 +48,22 @@ std::vector<std::string> written(const ExportOptions& options) {
   return {""};
 }
 
-}  // namespace
-
-void add_export(CLI::App& app) {
+void add(CLI::App& command) {
   auto options = std::make_shared<ExportOptions>();
-  CLI::App* command = app.add_subcommand("export", "Writes the trial log for other tools");
-  command->add_option("study", options->study, "Study file")->required();
-  command->add_option("--as", options->as, "Format")
+  command.add_option("study", options->study, "Study file")->required();
+  command.add_option("--as", options->as, "Format")
       ->required()
       ->check(CLI::IsMember({"csv", "json", "psych-ds", "bids"}));
   command
-      ->add_option(
+      .add_option(
           "--out", options->out,
           "Folder for the files; nothing in it is overwritten. A psych-ds or bids data set wants a folder "
           "of its own")
       ->required();
-  command->add_option("--author", options->authors, "Author of a psych-ds or bids data set; once for each")
+  command.add_option("--author", options->authors, "Author of a psych-ds or bids data set; once for each")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command->footer(
+  command.footer(
       "csv: trials (one row an answer), intervals (what was felt before it), exposures (what was shown but "
       "did\n"
       "not count), codebook (what each column means). json: the same in one file. psych-ds, bids: data sets\n"
@@ -74,11 +73,18 @@ void add_export(CLI::App& app) {
       "Example:\n"
       "  palpate export study.db --as csv --out exported\n"
       "  palpate export study.db --as bids --out exported-bids --author 'A. Author' --author 'B. Author'\n");
-  command->callback([options] {
+  command.callback([options] {
     run_export(*options);
     for (const std::string& file : written(*options))
       fmt::print("{}\n", (std::filesystem::path(options->out) / file).string());
   });
 }
+
+}  // namespace
+
+const Command export_command{.name = "export",
+                             .summary = "Writes the trial log for other tools",
+                             .heading = "Read a study",
+                             .add = add};
 
 }  // namespace palpate::app

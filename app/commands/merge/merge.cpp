@@ -1,4 +1,4 @@
-#include "trials/study/merge.hpp"
+#include "app/commands/merge/merge.hpp"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "app/command_line/output.hpp"
-#include "app/commands/commands.hpp"
 #include "app/study/merged_parts_json.hpp"
+#include "trials/study/merge.hpp"
 
 namespace palpate::app {
 namespace {
@@ -50,22 +50,19 @@ void run_merge(const MergeOptions& options) {
   fmt::print("receipt {}\n", trials::to_string(study.receipt()));
 }
 
-}  // namespace
-
-void add_merge(CLI::App& app) {
+void add(CLI::App& command) {
   auto options = std::make_shared<MergeOptions>();
-  CLI::App* command = app.add_subcommand("merge", "Joins study files of several sites into a new one");
-  command->add_option("out", options->out, "The new study file; nothing is overwritten")->required();
-  command->add_option("studies", options->files,
-                      "Study files of one protocol, with examinees of different codes");
+  command.add_option("out", options->out, "The new study file; nothing is overwritten")->required();
+  command.add_option("studies", options->files,
+                     "Study files of one protocol, with examinees of different codes");
   command
-      ->add_option(
+      .add_option(
           "--site", options->sites,
           "NAME=FILE: a study file whose examinees' codes get the site's name before them; once for each")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  add_format(*command, options->format);
-  command->footer(
+  add_format(command, options->format);
+  command.footer(
       "The files must be whole, of one protocol, scene and meshes; they are only read. Where two sites used\n"
       "the same codes, name the sites: P01 of Osaka becomes Osaka-P01. The chains of answers are kept as "
       "they\n"
@@ -73,7 +70,14 @@ void add_merge(CLI::App& app) {
       "Example:\n"
       "  palpate merge all.db osaka.db kyoto.db\n"
       "  palpate merge all.db --site Osaka=osaka.db --site Kyoto=kyoto.db\n");
-  command->callback([options] { run_merge(*options); });
+  command.callback([options] { run_merge(*options); });
 }
+
+}  // namespace
+
+const Command merge_command{.name = "merge",
+                            .summary = "Joins study files of several sites into a new one",
+                            .heading = "Read a study",
+                            .add = add};
 
 }  // namespace palpate::app

@@ -1,3 +1,5 @@
+#include "app/commands/mesh/mesh.hpp"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -6,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command_line/output.hpp"
-#include "app/commands/commands.hpp"
 #include "app/commands/mesh/mesh_report.hpp"
 #include "base/text/quantity.hpp"
 #include "sim/mesh/write_msh.hpp"
@@ -46,20 +47,24 @@ void run_mesh(const MeshOptions& options) {
     fmt::print("{}", to_text(report));
 }
 
-}  // namespace
-
-void add_mesh(CLI::App& app) {
+void add(CLI::App& command) {
   auto options = std::make_shared<MeshOptions>();
-  CLI::App* command = app.add_subcommand("mesh", "Reads, checks and converts a tetrahedral mesh");
-  command->add_option("file", options->file, "Gmsh MSH 2.2 or 4.1 (text or binary) or VTU")->required();
-  command->add_option("--unit", options->unit, "Unit of the file's coordinates")
+  command.add_option("file", options->file, "Gmsh MSH 2.2 or 4.1 (text or binary) or VTU")->required();
+  command.add_option("--unit", options->unit, "Unit of the file's coordinates")
       ->required()
       ->check(CLI::IsMember({"m", "cm", "mm", "um"}));
-  command->add_option("--out", options->out, "Write the mended mesh, in metres, as .msh (4.1) or .vtu")
+  command.add_option("--out", options->out, "Write the mended mesh, in metres, as .msh (4.1) or .vtu")
       ->check(CLI::Validator(check_ending, "FILE.msh|FILE.vtu"));
-  add_format(*command, options->format);
-  command->footer("Example:\n  palpate mesh prostate.msh --unit mm --out prostate.vtu");
-  command->callback([options] { run_mesh(*options); });
+  add_format(command, options->format);
+  command.footer("Example:\n  palpate mesh prostate.msh --unit mm --out prostate.vtu");
+  command.callback([options] { run_mesh(*options); });
 }
+
+}  // namespace
+
+const Command mesh_command{.name = "mesh",
+                           .summary = "Reads, checks and converts a tetrahedral mesh",
+                           .heading = "Touch",
+                           .add = add};
 
 }  // namespace palpate::app

@@ -1,3 +1,5 @@
+#include "app/commands/plan/plan.hpp"
+
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
@@ -6,7 +8,6 @@
 #include <string>
 
 #include "app/command_line/output.hpp"
-#include "app/commands/commands.hpp"
 #include "app/study/power_simulation.hpp"
 #include "app/study/simulation.hpp"
 #include "app/study/study_plan.hpp"
@@ -50,42 +51,46 @@ void run_plan(const PlanOptions& options) {
   if (!frozen.empty()) fmt::print("\nThe plan is frozen in {}, SHA-256 {}\n", options.freeze, frozen);
 }
 
-}  // namespace
-
-void add_plan(CLI::App& app) {
+void add(CLI::App& command) {
   const auto options = std::make_shared<PlanOptions>();
-  CLI::App* command = app.add_subcommand("plan", "Critical numbers, power and sample size of a protocol");
-  command->add_option("PROTOCOL", options->protocol, "Protocol file")->required();
+  command.add_option("PROTOCOL", options->protocol, "Protocol file")->required();
   command
-      ->add_option("--overdispersion", options->overdispersion,
-                   "How unlike examinees are, 0 (all alike) to 1: gamma of a beta-binomial distribution")
+      .add_option("--overdispersion", options->overdispersion,
+                  "How unlike examinees are, 0 (all alike) to 1: gamma of a beta-binomial distribution")
       ->capture_default_str();
-  command->add_option(
+  command.add_option(
       "--freeze", options->freeze,
       "Write the analysis plan into this study file, before the first answer; the report then says "
       "what deviates from it");
   command
-      ->add_option("--studies", options->studies,
-                   "Instead: power by playing so many whole studies with simulated observers")
+      .add_option("--studies", options->studies,
+                  "Instead: power by playing so many whole studies with simulated observers")
       ->check(CLI::Range(1L, 1'000'000L))
       ->excludes("--freeze");
-  command->add_option("--observer", options->observer, "What they are like (default: observers/default.toml)")
+  command.add_option("--observer", options->observer, "What they are like (default: observers/default.toml)")
       ->needs("--studies");
-  add_seed(*command, "Of the simulated studies", [options](std::uint64_t seed) { options->seed = seed; })
+  add_seed(command, "Of the simulated studies", [options](std::uint64_t seed) { options->seed = seed; })
       ->needs("--studies")
       ->default_str(std::to_string(options->seed));
   command
-      ->add_option("--shard", options->shard,
-                   "Play only part K of N of the studies, as K/N; palpate stats merge joins the parts")
+      .add_option("--shard", options->shard,
+                  "Play only part K of N of the studies, as K/N; palpate stats merge joins the parts")
       ->needs("--studies");
-  add_format(*command, options->format);
-  command->footer(
+  add_format(command, options->format);
+  command.footer(
       "Power is computed for cells of up to 20000 trials, 500 with balanced orders; --studies plays any.\n\n"
       "Examples:\n"
       "  palpate plan protocols/kuroda2003.toml --overdispersion 0.1\n"
       "  palpate plan protocols/kuroda2003.toml --freeze study.db\n"
       "  palpate plan protocols/kuroda2003.toml --studies 100 --shard 1/4 --format json > part1.json\n");
-  command->callback([options] { run_plan(*options); });
+  command.callback([options] { run_plan(*options); });
 }
+
+}  // namespace
+
+const Command plan_command{.name = "plan",
+                           .summary = "Critical numbers, power and sample size of a protocol",
+                           .heading = "Run a study",
+                           .add = add};
 
 }  // namespace palpate::app

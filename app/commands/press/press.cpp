@@ -1,4 +1,4 @@
-#include "sim/cycle/press.hpp"
+#include "app/commands/press/press.hpp"
 
 #include <fmt/format.h>
 
@@ -13,10 +13,10 @@
 #include "app/command_line/plot.hpp"
 #include "app/command_line/scene_options.hpp"
 #include "app/command_line/user_cache.hpp"
-#include "app/commands/commands.hpp"
 #include "app/commands/press/press_output.hpp"
 #include "app/commands/press/press_study.hpp"
 #include "sim/compile/compile.hpp"
+#include "sim/cycle/press.hpp"
 #include "sim/elasticity/static_solve.hpp"
 #include "sim/elasticity/stress.hpp"
 #include "sim/mesh/write_vtu.hpp"
@@ -97,27 +97,31 @@ void run_press(const PressOptions& options) {
   press_protocol(options, depth);
 }
 
-}  // namespace
-
-void add_press(CLI::App& app) {
+void add(CLI::App& command) {
   auto options = std::make_shared<PressOptions>();
-  CLI::App* command = app.add_subcommand("press", "Force over depth of a press into a scene (Fig. 8)");
-  add_scene(*command, options->scene);
-  command->get_option("scene")->description("Scene, or protocol: each of its conditions in each cell (TOML)");
-  command->add_option("--depth", options->depth,
-                      "How deep, with its unit (default: the probe's depth in the scene)");
-  command->add_option("--steps", options->steps, "Equal steps from the surface to the depth")
+  add_scene(command, options->scene);
+  command.get_option("scene")->description("Scene, or protocol: each of its conditions in each cell (TOML)");
+  command.add_option("--depth", options->depth,
+                     "How deep, with its unit (default: the probe's depth in the scene)");
+  command.add_option("--steps", options->steps, "Equal steps from the surface to the depth")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
-  command->add_option("--save", options->save,
-                      "Write STATE.<body>.vtu with displacement, force and von Mises stress");
-  command->add_option("--plot", options->plot, "Write a plot of the force over the depth, .svg or .png");
-  add_format(*command, options->format);
-  command->footer(
+  command.add_option("--save", options->save,
+                     "Write STATE.<body>.vtu with displacement, force and von Mises stress");
+  command.add_option("--plot", options->plot, "Write a plot of the force over the depth, .svg or .png");
+  add_format(command, options->format);
+  command.footer(
       "Example:\n  palpate press data/scenes/rectal-palpation.toml --model kuroda --depth \"5 mm\" "
       "--set bodies.prostate.young_modulus=\"5 MPa\"\n"
       "  palpate press protocols/kuroda2003.toml --steps 100 --plot fig8.svg");
-  command->callback([options] { run_press(*options); });
+  command.callback([options] { run_press(*options); });
 }
+
+}  // namespace
+
+const Command press_command{.name = "press",
+                            .summary = "Force over depth of a press into a scene (Fig. 8)",
+                            .heading = "Touch",
+                            .add = add};
 
 }  // namespace palpate::app

@@ -1,3 +1,5 @@
+#include "app/commands/render/render.hpp"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -7,7 +9,6 @@
 
 #include "app/command_line/scene_options.hpp"
 #include "app/command_line/user_cache.hpp"
-#include "app/commands/commands.hpp"
 #include "base/files/atomic_file.hpp"
 #include "sim/compile/compile.hpp"
 #include "sim/cycle/press.hpp"
@@ -51,24 +52,28 @@ void run_render(const RenderOptions& options) {
              1e3 * stage.scale_bar);
 }
 
+void add(CLI::App& command) {
+  auto options = std::make_shared<RenderOptions>();
+  add_scene(command, options->scene);
+  command.add_option("--out", options->out, "Picture to write, a PNG file")->required();
+  command.add_option("--depth", options->depth, "How deep every probe presses, with its unit")
+      ->capture_default_str();
+  command.add_option("--width", options->width, "[pixel]")
+      ->check(CLI::Range(16, 8192))
+      ->capture_default_str();
+  command.add_option("--height", options->height, "[pixel]")
+      ->check(CLI::Range(16, 8192))
+      ->capture_default_str();
+  command.footer(
+      "Example:\n  palpate render data/scenes/rectal-palpation.toml --depth \"5 mm\" --out pressed.png");
+  command.callback([options] { run_render(*options); });
+}
+
 }  // namespace
 
-void add_render(CLI::App& app) {
-  auto options = std::make_shared<RenderOptions>();
-  CLI::App* command = app.add_subcommand("render", "Picture of a scene, drawn off screen (Fig. 7)");
-  add_scene(*command, options->scene);
-  command->add_option("--out", options->out, "Picture to write, a PNG file")->required();
-  command->add_option("--depth", options->depth, "How deep every probe presses, with its unit")
-      ->capture_default_str();
-  command->add_option("--width", options->width, "[pixel]")
-      ->check(CLI::Range(16, 8192))
-      ->capture_default_str();
-  command->add_option("--height", options->height, "[pixel]")
-      ->check(CLI::Range(16, 8192))
-      ->capture_default_str();
-  command->footer(
-      "Example:\n  palpate render data/scenes/rectal-palpation.toml --depth \"5 mm\" --out pressed.png");
-  command->callback([options] { run_render(*options); });
-}
+const Command render_command{.name = "render",
+                             .summary = "Picture of a scene, drawn off screen (Fig. 7)",
+                             .heading = "Touch",
+                             .add = add};
 
 }  // namespace palpate::app

@@ -1,3 +1,5 @@
+#include "app/commands/report/report.hpp"
+
 #include <fmt/core.h>
 #include <unistd.h>
 
@@ -13,17 +15,17 @@
 
 #include "analysis/report/write_report.hpp"
 #include "app/command_line/output.hpp"
-#include "app/commands/commands.hpp"
 #include "app/study/look_log.hpp"
 #include "app/study/study_table.hpp"
 #include "base/clock/utc.hpp"
 #include "base/files/atomic_file.hpp"
 #include "base/files/file_error.hpp"
+#include "trials/study/verify.hpp"
 
 namespace palpate::app {
 namespace {
 
-struct ReportOptions {
+struct ReportArguments {
   std::string study, run_mode, out, format;
   bool interim = false;
 };
@@ -42,7 +44,7 @@ std::string printed(const analysis::StudyReport& report, const std::string& form
 }
 
 // A report never takes the place of something that is none.
-void check_page(const ReportOptions& options) {
+void check_page(const ReportArguments& options) {
   if (options.out.empty()) return;
   const std::filesystem::path page = options.out;
   if (page.extension() != ".html" && page.extension() != ".htm")
@@ -54,7 +56,7 @@ void check_page(const ReportOptions& options) {
         fmt::format("--out {}: is the study file itself; accepted: another name", options.out));
 }
 
-void run_report(const ReportOptions& options) {
+void run_report(const ReportArguments& options) {
   check_page(options);
   trials::require_whole(options.study);
   analysis::ReportOptions asked{
@@ -77,26 +79,28 @@ void run_report(const ReportOptions& options) {
   fmt::print("{}", text);
 }
 
-}  // namespace
-
-void add_report(CLI::App& app) {
-  const auto options = std::make_shared<ReportOptions>();
-  CLI::App* command = app.add_subcommand("report", "The significance report of a study");
-  command->add_option("STUDY", options->study, "Study file")->required();
+void add(CLI::App& command) {
+  const auto options = std::make_shared<ReportArguments>();
+  command.add_option("STUDY", options->study, "Study file")->required();
   command
-      ->add_option("--run-mode", options->run_mode, "Which sessions: study, pilot or simulated; never pooled")
+      .add_option("--run-mode", options->run_mode, "Which sessions: study, pilot or simulated; never pooled")
       ->check(CLI::IsMember({"study", "pilot", "simulated"}));
-  command->add_flag(
+  command.add_flag(
       "--interim", options->interim,
       "Show tests though the planned sample is not complete; the look is logged in the study file");
-  command->add_option("--out", options->out, "Also write the report as one self-contained HTML page");
-  add_format(*command, options->format);
-  command->footer(
+  command.add_option("--out", options->out, "Also write the report as one self-contained HTML page");
+  add_format(command, options->format);
+  command.footer(
       "The protocol names the primary test; all others are labelled as secondary. Before the planned\n"
       "sample is complete the report counts answers and shows no test.\n\n"
       "Example:\n"
       "  palpate report study.db --out report.html\n");
-  command->callback([options] { run_report(*options); });
+  command.callback([options] { run_report(*options); });
 }
+
+}  // namespace
+
+const Command report_command{
+    .name = "report", .summary = "The significance report of a study", .heading = "Read a study", .add = add};
 
 }  // namespace palpate::app

@@ -1,3 +1,5 @@
+#include "app/commands/simulate/simulate.hpp"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -5,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command_line/output.hpp"
-#include "app/commands/commands.hpp"
 #include "app/study/simulation.hpp"
 
 namespace palpate::app {
@@ -38,26 +39,30 @@ void run_simulate(const SimulateOptions& options) {
   fmt::print("receipt {}\n", trials::to_string(result.receipt));
 }
 
-}  // namespace
-
-void add_simulate(CLI::App& app) {
+void add(CLI::App& command) {
   auto options = std::make_shared<SimulateOptions>();
-  CLI::App* command = app.add_subcommand(
-      "simulate", "Runs a study with simulated examinees, until the file holds as many as asked for");
-  command->add_option("protocol", options->protocol, "Protocol (TOML)")->required();
-  command->add_option("--study", options->study, "Study file; made where there is none")->required();
-  command->add_option("--examinees", options->examinees, "How many the study holds in the end")
+  command.add_option("protocol", options->protocol, "Protocol (TOML)")->required();
+  command.add_option("--study", options->study, "Study file; made where there is none")->required();
+  command.add_option("--examinees", options->examinees, "How many the study holds in the end")
       ->required()
       ->check(CLI::Range(1, 100000));
-  command->add_option("--observer", options->observer,
-                      "What they are like (TOML); else protocols/observers/default.toml");
-  add_seed(*command, "Makes orders and answers repeatable; else the system's entropy",
+  command.add_option("--observer", options->observer,
+                     "What they are like (TOML); else protocols/observers/default.toml");
+  add_seed(command, "Makes orders and answers repeatable; else the system's entropy",
            [options](std::uint64_t seed) { options->seed = seed; });
-  add_format(*command, options->format);
-  command->footer(
+  add_format(command, options->format);
+  command.footer(
       "Example:\n  palpate simulate protocols/kuroda2003.toml --study simulated.db --examinees 15 --seed 1\n"
       "Cut off by Ctrl-C or a power cut, the same command goes on with the first unanswered question.");
-  command->callback([options] { run_simulate(*options); });
+  command.callback([options] { run_simulate(*options); });
 }
+
+}  // namespace
+
+const Command simulate_command{
+    .name = "simulate",
+    .summary = "Runs a study with simulated examinees, until the file holds as many as asked for",
+    .heading = "Run a study",
+    .add = add};
 
 }  // namespace palpate::app

@@ -1,3 +1,5 @@
+#include "app/commands/stats/stats.hpp"
+
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
@@ -14,7 +16,6 @@
 #include "analysis/statistics/psychometric/merge_bootstrap.hpp"
 #include "analysis/statistics/statistics.hpp"
 #include "app/command_line/output.hpp"
-#include "app/commands/commands.hpp"
 #include "app/commands/stats/read_csv.hpp"
 #include "app/commands/stats/statistic_help.hpp"
 #include "app/commands/stats/stats_batch.hpp"
@@ -178,19 +179,23 @@ void add_merge_of_parts(CLI::App& stats) {
   command->callback([files, format] { merge(*files, *format); });
 }
 
-}  // namespace
-
-void add_stats(CLI::App& app) {
-  CLI::App* stats = app.add_subcommand("stats", "One statistic on numbers or a CSV file");
-  stats->footer(
+void add(CLI::App& command) {
+  command.footer(
       "Each statistic teaches when it applies: palpate stats binomial --help\n\n"
       "Example:\n"
       "  palpate stats binomial --correct 41 --trials 60 --chance 1/2 --side greater\n");
-  stats->require_subcommand(1);
-  for (const Statistic& statistic : analysis::statistics()) add_statistic(*stats, statistic);
-  add_batch(*stats);
-  add_list(*stats);
-  add_merge_of_parts(*stats);
+  command.require_subcommand(1);
+  for (const Statistic& statistic : analysis::statistics()) add_statistic(command, statistic);
+  add_batch(command);
+  add_list(command);
+  add_merge_of_parts(command);
 }
+
+}  // namespace
+
+const Command stats_command{.name = "stats",
+                            .summary = "One statistic on numbers or a CSV file",
+                            .heading = "Statistics",
+                            .add = add};
 
 }  // namespace palpate::app

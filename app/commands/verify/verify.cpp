@@ -1,3 +1,5 @@
+#include "app/commands/verify/verify.hpp"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -6,9 +8,8 @@
 #include <stdexcept>
 
 #include "app/command_line/output.hpp"
-#include "app/commands/commands.hpp"
 #include "app/study/merged_parts_json.hpp"
-#include "trials/study/study_file.hpp"
+#include "trials/study/verify.hpp"
 
 namespace palpate::app {
 namespace {
@@ -59,22 +60,25 @@ void run_verify(const VerifyOptions& options) {
         report.problems.size() == 1 ? "1 problem" : fmt::format("{} problems", report.problems.size())));
 }
 
-}  // namespace
-
-void add_verify(CLI::App& app) {
+void add(CLI::App& command) {
   auto options = std::make_shared<VerifyOptions>();
-  CLI::App* command =
-      app.add_subcommand("verify", "Checks that a study file is whole and was not tampered with");
-  command->add_option("study", options->study, "Study file")->required();
-  command->add_option(
+  command.add_option("study", options->study, "Study file")->required();
+  command.add_option(
       "--receipt", options->receipt,
       "A receipt printed at a session's end, or the first 16 digits of it and more: also finds later "
       "rewriting or cutting back");
-  add_format(*command, options->format);
-  command->footer(
+  add_format(command, options->format);
+  command.footer(
       "A file that palpate merge made holds its parts' chains as they were: their receipts hold as well.\n\n"
       "Example:\n  palpate verify study.db --receipt 120-9f86d0...\nExit code 1: something is wrong.");
-  command->callback([options] { run_verify(*options); });
+  command.callback([options] { run_verify(*options); });
 }
+
+}  // namespace
+
+const Command verify_command{.name = "verify",
+                             .summary = "Checks that a study file is whole and was not tampered with",
+                             .heading = "Read a study",
+                             .add = add};
 
 }  // namespace palpate::app

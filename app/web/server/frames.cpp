@@ -3,7 +3,6 @@
 #include <chrono>
 #include <exception>
 
-#include "sim/cycle/cycle.hpp"
 #include "sim/view/image.hpp"
 #include "sim/view/picture_of.hpp"
 #include "sim/view/renderer.hpp"
@@ -14,29 +13,29 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr auto kBetweenFrames =
     std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1 / kFramesPerSecond));
+constexpr auto kBetweenLooks = std::chrono::microseconds(200);  // while a cycle is awaited
 constexpr int kJpegQuality = 80;
 
 }  // namespace
 
-FrameStream::FrameStream(const Snapshot<IntervalState>& state,
-                         std::function<void(const std::string&)> deliver)
-    : state_(state), deliver_(std::move(deliver)), thread_([this] { draw(); }) {}
+FrameStream::FrameStream(std::function<void(const std::string&)> deliver)
+    : deliver_(std::move(deliver)), thread_([this] { draw(); }) {}
 
 FrameStream::~FrameStream() {
   {
     const std::lock_guard lock(mutex_);
     quit_ = true;
-    model_ = nullptr;
+    felt_ = nullptr;
   }
   changed_.notify_all();
   thread_.join();
 }
 
-void FrameStream::show(const sim::Model* model) {
+void FrameStream::show(CycleHandover* felt) {
   std::unique_lock lock(mutex_);
-  model_ = model;
+  felt_ = felt;
   changed_.notify_all();
-  changed_.wait(lock, [&] { return drawing_ == nullptr || drawing_ == model; });
+  changed_.wait(lock, [&] { return drawing_ == nullptr || drawing_ == felt; });
 }
 
 std::string FrameStream::failure() const {
@@ -44,22 +43,22 @@ std::string FrameStream::failure() const {
   return failure_;
 }
 
-bool FrameStream::wanted(const sim::Model& model) const {
+bool FrameStream::wanted(const CycleHandover& felt) const {
   const std::lock_guard lock(mutex_);
-  return model_ == &model;
+  return felt_ == &felt;
 }
 
 void FrameStream::draw() {
   std::unique_lock lock(mutex_);
   while (true) {
-    changed_.wait(lock, [&] { return quit_ || model_ != nullptr; });
+    changed_.wait(lock, [&] { return quit_ || felt_ != nullptr; });
     if (quit_) return;
-    drawing_ = model_;
-    const sim::Model& model = *drawing_;
+    drawing_ = felt_;
+    CycleHandover& felt = *drawing_;
     lock.unlock();
     std::string trouble;
     try {
-      draw_model(model);
+      draw_cycles(felt);
     } catch (const std::exception& error) {
       trouble = error.what();  // a session goes on without pictures of the practice
     }
@@ -67,22 +66,28 @@ void FrameStream::draw() {
     drawing_ = nullptr;
     if (!trouble.empty()) {
       failure_ = trouble;
-      model_ = nullptr;
+      felt_ = nullptr;
     }
     changed_.notify_all();
   }
 }
 
-void FrameStream::draw_model(const sim::Model& model) {
+/// The loop answers within a cycle; nothing once the drawing is over.
+const FeltCycle* FrameStream::next_cycle(CycleHandover& felt) const {
+  felt.ask();
+  while (wanted(felt)) {
+    if (const FeltCycle* cycle = felt.answer()) return cycle;
+    std::this_thread::sleep_for(kBetweenLooks);
+  }
+  return nullptr;
+}
+
+void FrameStream::draw_cycles(CycleHandover& felt) {
   sim::Renderer renderer(kFrameWidth, kFrameHeight);
-  const sim::Stage stage = sim::set_stage(model, double(kFrameWidth) / kFrameHeight);
-  sim::Scratch scratch(model);
-  std::vector<sim::ProbePose> pose(model.probes.size());
+  const sim::Stage stage = sim::set_stage(felt.model(), double(kFrameWidth) / kFrameHeight);
   auto due = Clock::now();
-  while (wanted(model)) {
-    pose.front().displacement = state_.read().depth * model.probes.front().direction;
-    sim::cycle(model, {}, pose, scratch);
-    const sim::Picture picture = sim::picture_of(model, stage, scratch.loads(), pose);
+  while (const FeltCycle* cycle = next_cycle(felt)) {
+    const sim::Picture picture = sim::picture_of(felt.model(), stage, cycle->loads, cycle->pose);
     deliver_(sim::encode_jpeg(renderer.render(picture), kJpegQuality));
     due = std::max(due + kBetweenFrames, Clock::now());
     std::this_thread::sleep_until(due);

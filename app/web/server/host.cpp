@@ -10,6 +10,7 @@
 #include <csignal>
 #include <cstdio>
 #include <optional>
+#include <utility>
 
 #include "app/command_line/open_browser.hpp"
 #include "app/loop/haptic_loop.hpp"
@@ -87,7 +88,7 @@ void Host::State::stop_after(std::chrono::milliseconds time) {
 void Host::State::announce(const HapticLoop& loop) {
   say(loop.real_time() ? "Haptic loop: 1 kHz, real-time scheduling (SCHED_FIFO)."
                        : "Haptic loop: 1 kHz, ordinary scheduling (SCHED_FIFO is not permitted here).");
-  say("A mouse gives no force: this session is pseudo-haptic, its channel is the pointer's lag.");
+  if (!loop.device().notice.empty()) say(std::string(loop.device().notice));
   std::printf("%s\n", server.link().c_str());
   std::fflush(stdout);
   if (!options.open_browser)
@@ -101,10 +102,11 @@ void Host::State::announce(const HapticLoop& loop) {
 Host::Host(const HostOptions& options) : state_(std::make_unique<State>(options)) {}
 Host::~Host() = default;
 
-HostEnd Host::lead(trials::Session& session, const trials::Protocol& protocol, const Organs& organs) {
+HostEnd Host::lead(trials::Session& session, const trials::Protocol& protocol, const Organs& organs,
+                   devices::OpenDevice device) {
   State& state = *state_;
-  HapticLoop loop;
-  FrameStream frames(loop.state_snapshot(), [&state](const std::string& jpeg) {
+  HapticLoop loop(std::move(device));
+  FrameStream frames([&state](const std::string& jpeg) {
     asio::post(state.io, [&state, bytes = encode_frame(jpeg)] { state.server.send_binary(bytes); });
   });
   state.sitting.emplace(

@@ -25,8 +25,9 @@ class Host {
   Host& operator=(const Host&) = delete;
 
   /// Leads the examinee through `session`, until every question is answered or the technician stops (Ctrl-C:
-  /// what was being felt is stored as cut off).
-  HostEnd lead(trials::Session& session, const trials::Protocol& protocol, const Organs& organs);
+  /// what was being felt is stored as cut off). The hand is `device`'s.
+  HostEnd lead(trials::Session& session, const trials::Protocol& protocol, const Organs& organs,
+               devices::OpenDevice device);
 
  private:
   struct State;

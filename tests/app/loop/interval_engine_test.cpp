@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "app/web/pages/examinee/messages.hpp"
+#include "devices/mouse/mouse.hpp"
 #include "tests/app/support/palpation.hpp"
 
 namespace palpate::app {
@@ -15,7 +16,13 @@ namespace {
 
 using test::palpation;
 
+const devices::Device& kMouse = devices::mouse();
 const IntervalLimits kLimits{.least_presses = 1, .most_presses = 3, .min_depth = 1e-3, .max_time = 3.0};
+
+/// The hand at a depth; the scene presses along z.
+HandInput at(double depth, double age = 0.0) {
+  return {.position = depth * sim::Vec3::UnitZ(), .age = age, .known = true};
+}
 
 /// Two presses of a second each, from above the skin.
 double scripted_hand(int tick) {
@@ -23,16 +30,16 @@ double scripted_hand(int tick) {
 }
 
 IntervalEngine& drive(IntervalEngine& engine, int ticks) {
-  for (int i = 0; i < ticks; ++i) engine.tick({.depth = scripted_hand(i), .known = true});
+  for (int i = 0; i < ticks; ++i) engine.tick(at(scripted_hand(i)));
   return engine;
 }
 
 /// Everything that a page would be sent for the scripted path.
 std::string messages(const sim::Model& model) {
-  IntervalEngine engine(model, kLimits);
+  IntervalEngine engine(model, kLimits, kMouse);
   std::string bytes;
   for (std::uint32_t i = 0; i < 3000; ++i) {
-    engine.tick({.depth = scripted_hand(static_cast<int>(i)), .known = true});
+    engine.tick(at(scripted_hand(static_cast<int>(i))));
     if (i % 16 == 0) bytes += encode_probe(engine.state(), i / 16);
   }
   return bytes;
@@ -59,13 +66,13 @@ TEST(IntervalEngine, UnderKurodaTheMessagesDifferInThePointersPlaceOnly) {
 
 TEST(IntervalEngine, TheSamePathGivesTheSameTrace) {
   const sim::Model model = palpation("kuroda", "5.0 MPa");
-  IntervalEngine first(model, kLimits), second(model, kLimits);
+  IntervalEngine first(model, kLimits, kMouse), second(model, kLimits, kMouse);
   EXPECT_EQ(drive(first, 2000).trace(), drive(second, 2000).trace());
 }
 
 TEST(IntervalEngine, TheTraceHoldsHandAndProbeAndMeetsTheSessionsRule) {
   const sim::Model model = palpation("kuroda", "1.0 MPa");
-  IntervalEngine engine(model, kLimits);
+  IntervalEngine engine(model, kLimits, kMouse);
   drive(engine, 2000);
   const trials::ExplorationSummary summary = trials::summarise(engine.trace());
   EXPECT_EQ(summary.presses, 2);
@@ -81,19 +88,20 @@ TEST(IntervalEngine, TheTraceHoldsHandAndProbeAndMeetsTheSessionsRule) {
 
 TEST(IntervalEngine, BeginsOnlyOnceTheHandIsOffTheSkin) {
   const sim::Model model = palpation("kuroda", "1.0 MPa");
-  IntervalEngine engine(model, kLimits);
-  for (int i = 0; i < 100; ++i) engine.tick({.depth = 9e-3, .known = true});
+  IntervalEngine engine(model, kLimits, kMouse);
+  for (int i = 0; i < 100; ++i) engine.tick(at(9e-3));
   EXPECT_FALSE(engine.state().begun);
   EXPECT_TRUE(engine.trace().empty());
   EXPECT_LE(engine.state().depth, 0);
-  engine.tick({.depth = 0.0, .known = true});
+  engine.tick(at(0.0));
   EXPECT_TRUE(engine.state().begun);
   EXPECT_EQ(engine.trace().size(), 1U);
 }
 
 TEST(IntervalEngine, EndsWhenTheTimeIsUsedUp) {
   const sim::Model model = palpation("kuroda", "1.0 MPa");
-  IntervalEngine engine(model, {.least_presses = 1, .most_presses = 50, .min_depth = 1e-3, .max_time = 0.5});
+  IntervalEngine engine(model, {.least_presses = 1, .most_presses = 50, .min_depth = 1e-3, .max_time = 0.5},
+                        kMouse);
   drive(engine, 499);
   EXPECT_FALSE(engine.state().over);
   drive(engine, 10);
@@ -103,10 +111,11 @@ TEST(IntervalEngine, EndsWhenTheTimeIsUsedUp) {
 
 TEST(IntervalEngine, EndsWhenTheLastPressIsLetGo) {
   const sim::Model model = palpation("kuroda", "1.0 MPa");
-  IntervalEngine engine(model, {.least_presses = 1, .most_presses = 1, .min_depth = 1e-3, .max_time = 3.0});
+  IntervalEngine engine(model, {.least_presses = 1, .most_presses = 1, .min_depth = 1e-3, .max_time = 3.0},
+                        kMouse);
   drive(engine, 500);
   EXPECT_FALSE(engine.state().over);  // still pressing
-  for (int i = 500; i < 1200; ++i) engine.tick({.depth = scripted_hand(i), .known = true});
+  for (int i = 500; i < 1200; ++i) engine.tick(at(scripted_hand(i)));
   EXPECT_TRUE(engine.state().over);
   EXPECT_EQ(trials::summarise(engine.trace()).presses, 1);
 }
@@ -115,15 +124,15 @@ class BadHand : public testing::TestWithParam<double> {};
 
 TEST_P(BadHand, EndsInAFaultWithTheForceGoneWithin20Milliseconds) {
   const sim::Model model = palpation("kuroda", "5.0 MPa");
-  IntervalEngine engine(model, kLimits);
+  IntervalEngine engine(model, kLimits, kMouse);
   drive(engine, 500);
   double before = engine.state().force;
   ASSERT_GT(before, 0);
-  engine.tick({.depth = GetParam(), .known = true});
+  engine.tick(at(GetParam()));
   for (int i = 0; i < 20; ++i) {
     EXPECT_LE(engine.state().force, before);
     before = engine.state().force;
-    engine.tick({.depth = 5e-3, .known = true});
+    engine.tick(at(5e-3));
   }
   EXPECT_EQ(engine.state().force, 0.0);
   EXPECT_EQ(engine.state().fault, Fault::NotFinite);
@@ -139,10 +148,10 @@ INSTANTIATE_TEST_SUITE_P(Inputs, BadHand,
 // The hand is pressing, nothing is heard of it for half a second, and then it is somewhere else.
 TEST(IntervalEngine, AGapInTheInputIsNoKick) {
   const sim::Model model = palpation("kuroda", "5.0 MPa");
-  IntervalEngine engine(model, kLimits);
+  IntervalEngine engine(model, kLimits, kMouse);
   drive(engine, 500);
   const double held = scripted_hand(500);
-  for (int i = 0; i < 300; ++i) engine.tick({.depth = held, .known = true});  // until the probe rests
+  for (int i = 0; i < 300; ++i) engine.tick(at(held));  // until the probe rests
   const double peak = engine.state().force;
   double before = engine.state().depth;
   const auto check = [&] {
@@ -151,13 +160,13 @@ TEST(IntervalEngine, AGapInTheInputIsNoKick) {
     before = engine.state().depth;
   };
   for (int i = 1; i <= 500; ++i) {
-    engine.tick({.depth = held, .age = i * kCycleSeconds, .known = true});
+    engine.tick(at(held, i * kCycleSeconds));
     check();
   }
   EXPECT_LE(engine.state().depth, 0);
   EXPECT_EQ(engine.state().force, 0.0);
   for (int i = 0; i < 200; ++i) {
-    engine.tick({.depth = held, .known = true});
+    engine.tick(at(held));
     check();
   }
   EXPECT_EQ(engine.state().fault, Fault::None);
@@ -166,11 +175,11 @@ TEST(IntervalEngine, AGapInTheInputIsNoKick) {
 // Hard case 43: 500 ms during which nothing ran. What comes then is one cycle's way, and no kick.
 TEST(IntervalEngine, ALoopThatWasLateCatchesUpWithNothing) {
   const sim::Model model = palpation("kuroda", "1.0 MPa");
-  IntervalEngine late(model, kLimits), punctual(model, kLimits);
+  IntervalEngine late(model, kLimits, kMouse), punctual(model, kLimits, kMouse);
   for (IntervalEngine* engine : {&late, &punctual})
-    for (int i = 0; i < 100; ++i) engine->tick({.depth = -1e-3, .known = true});
-  late.tick({.depth = 8e-3, .known = true}, 500);
-  punctual.tick({.depth = 8e-3, .known = true});
+    for (int i = 0; i < 100; ++i) engine->tick(at(-1e-3));
+  late.tick(at(8e-3), 500);
+  punctual.tick(at(8e-3));
   EXPECT_EQ(late.state().depth, punctual.state().depth);
   EXPECT_EQ(late.state().force, punctual.state().force);
 }
@@ -178,14 +187,14 @@ TEST(IntervalEngine, ALoopThatWasLateCatchesUpWithNothing) {
 // The compliance is taken away under the model: no displacement can be prescribed any more.
 TEST(IntervalEngine, ACycleThatCannotBeSolvedIsAFaultAndNoForce) {
   sim::Model model = palpation("kuroda", "1.0 MPa");
-  IntervalEngine engine(model, kLimits);
-  engine.tick({.depth = -1e-3, .known = true});
+  IntervalEngine engine(model, kLimits, kMouse);
+  engine.tick(at(-1e-3));
   sim::Compliance nothing = *model.bodies.front().compliance;
   nothing.touch_touch.setZero();
   model.bodies.front().compliance = std::make_shared<const sim::Compliance>(nothing);
   for (sim::Probe& probe : model.probes) probe.compliance.setZero();
   for (int i = 0; i < 100; ++i) {
-    engine.tick({.depth = 3e-3, .known = true});
+    engine.tick(at(3e-3));
     EXPECT_EQ(engine.state().force, 0.0);
   }
   EXPECT_EQ(engine.state().fault, Fault::NotFinite);
@@ -193,12 +202,61 @@ TEST(IntervalEngine, ACycleThatCannotBeSolvedIsAFaultAndNoForce) {
 
 TEST(IntervalEngine, MissedCyclesCountAsTime) {
   const sim::Model model = palpation("kuroda", "1.0 MPa");
-  IntervalEngine engine(model, kLimits);
-  engine.tick({.depth = -1e-3, .known = true});
-  engine.tick({.depth = -1e-3, .known = true}, 5);
+  IntervalEngine engine(model, kLimits, kMouse);
+  engine.tick(at(-1e-3));
+  engine.tick(at(-1e-3), 5);
   EXPECT_EQ(engine.state().tick, 6U);
-  engine.tick({.depth = -1e-3, .known = true});
+  engine.tick(at(-1e-3));
   EXPECT_FLOAT_EQ(engine.trace().back().time, 0.006F);
+}
+
+// What the screen is given and what the hand felt are one solution: solving the pose once more gives its bits.
+TEST(IntervalEngine, HandsOverTheLoadsThatTheHandFelt) {
+  const sim::Model model = palpation("kuroda", "5.0 MPa");
+  IntervalEngine engine(model, kLimits, kMouse);
+  sim::Scratch judge(model);
+  int loaded = 0;
+  for (int i = 0; i < 1000; ++i) {
+    engine.felt().ask();
+    engine.tick(at(scripted_hand(i)));
+    const FeltCycle* felt = engine.felt().answer();
+    ASSERT_NE(felt, nullptr);
+    sim::cycle(model, {}, felt->pose, judge);
+    for (std::size_t body = 0; body < model.bodies.size(); ++body)
+      ASSERT_EQ(felt->loads.on_body[body], judge.loads().on_body[body]) << "cycle " << i;
+    if (!engine.trace().empty()) {
+      EXPECT_EQ(static_cast<float>(felt->pose[0].displacement[2]), engine.trace().back().displacement[2]);
+    }
+    loaded += felt->loads.on_body[1].squaredNorm() > 0;
+  }
+  EXPECT_GT(loaded, 100);  // the organ behind was pressed as well
+}
+
+/// A device that pushes back with up to 3 N: the probe is where the hand is.
+const devices::Device kArm{.name = "arm",
+                           .facts = {.gives_force = true, .continuous_force = 3.0},
+                           .move = [](devices::DrivenProbe& probe, const sim::Vec3& target, double,
+                                      double step) { devices::hold_probe(probe, target, step); }};
+
+TEST(IntervalEngine, AHandInSpaceMovesTheProbeSidewaysAndFeelsNoMoreThanItsDeviceCanHold) {
+  const sim::Model model = palpation("none", "1.0 MPa");
+  IntervalEngine engine(model, kLimits, kArm);
+  engine.tick(at(-1e-3));
+  const sim::Vec3 place(1e-3, -0.5e-3, 2.5e-3);
+  for (int i = 0; i < 100; ++i) engine.tick({.position = place, .known = true});
+  engine.felt().ask();
+  engine.tick({.position = place, .known = true});
+  ASSERT_NE(engine.felt().answer(), nullptr);
+  EXPECT_EQ(engine.felt().answer()->pose.front().displacement, place);
+  EXPECT_EQ(engine.state().depth, place[2]);
+
+  sim::Scratch judge(model);
+  const sim::Vec3 felt = sim::cycle(model, {}, engine.felt().answer()->pose, judge).probe_forces.front();
+  ASSERT_GT(felt.norm(), 3.0);
+  EXPECT_NEAR(engine.force_on_hand().norm(), 3.0, 1e-12);
+  EXPECT_NEAR(engine.force_on_hand().normalized().dot(felt.normalized()), 1.0, 1e-12);
+  EXPECT_LT(engine.force_on_hand()[0], 0);  // against the way sideways as well
+  EXPECT_EQ(engine.trace().back().force[2], static_cast<float>(engine.force_on_hand()[2]));  // as clamped
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "devices/devices.hpp"
 #include "tests/app/support/palpation.hpp"
 #include "tests/support/places.hpp"
 #include "trials/study/study_file.hpp"
@@ -100,7 +101,7 @@ class SittingTest : public testing::Test {
   std::optional<trials::StudyFile> study_;
   std::optional<trials::Session> session_;
   Organs organs_;
-  HapticLoop loop_;
+  HapticLoop loop_{devices::open("mouse")};
   std::optional<Sitting> sitting_;
   json shown_;
   std::string said_;
@@ -146,7 +147,7 @@ TEST_F(SittingTest, AnImpossibleHandPausesTheSession) {
   hold(2000, 50ms);
   ASSERT_EQ(phase(), "fault");
   EXPECT_EQ(session_->phase(), trials::Phase::Ready);
-  EXPECT_EQ(study_->presentations(1).at(0).verdict, "interrupted");
+  EXPECT_EQ(study_->presentations(1).at(0).verdict, trials::Verdict::Interrupted);
   reply("continue");
   EXPECT_EQ(phase(), "ready");
 }
@@ -168,7 +169,7 @@ TEST_F(SittingTest, AnIntervalUnderWayWhenThePageClosesIsStoredAsCutOff) {
   hold(8, 200ms);
   sitting_->page_closed();
   EXPECT_EQ(session_->phase(), trials::Phase::Ready);
-  EXPECT_EQ(study_->presentations(1).at(0).verdict, "interrupted");
+  EXPECT_EQ(study_->presentations(1).at(0).verdict, trials::Verdict::Interrupted);
   EXPECT_GT(study_->presentations(1).at(0).samples, 0U);
   sitting_->page_opened();
   EXPECT_EQ(phase(), "ready");

@@ -26,7 +26,7 @@ TEST(Refusals, MissingFile) {
     read_mesh("no/such/body.msh", 1.0);
     FAIL();
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "no/such/body.msh: there is no such file; a mesh file is accepted");
+    EXPECT_STREQ(error.what(), "no/such/body.msh: no such file, accepted: a mesh file");
   }
   EXPECT_THROW(read_mesh(data_file(""), 1.0), std::invalid_argument);  // a folder
 }

@@ -9,6 +9,7 @@
 #include "tests/trials/support/protocols.hpp"
 #include "tests/trials/support/sitting.hpp"
 #include "trials/observer/simulated_study.hpp"
+#include "trials/study/verify.hpp"
 #include "trials/tables/table.hpp"
 
 namespace palpate::trials {
@@ -55,7 +56,8 @@ class SimulateTest : public testing::Test {
   /// Examinee, trial, cell, correct interval and response of every answer.
   std::vector<std::string> answers(const std::string& name) {
     std::vector<std::string> found;
-    for (const auto& row : trial_table(read_study(folder_ / name)).rows)
+    const StudyFile study = read_study(folder_ / name);
+    for (const auto& row : trial_table(study.protocol(), answered_trials(study)).rows)
       found.push_back(std::get<std::string>(row[0]) + " " + std::to_string(std::get<std::int64_t>(row[3])) +
                       " " + std::get<std::string>(row[7]) + " " +
                       std::to_string(std::get<std::int64_t>(row[8])) + " " +

@@ -11,6 +11,7 @@
 #include "base/clock/utc.hpp"
 #include "tests/trials/support/protocols.hpp"
 #include "tests/trials/support/sitting.hpp"
+#include "trials/study/verify.hpp"
 
 namespace palpate::trials {
 namespace {
@@ -86,7 +87,7 @@ TEST_F(SessionTest, ShowsAnIntervalAgainThatWasNotExploredEnough) {
   EXPECT_EQ(session.view().again, "");
   const auto shown = study_->presentations(session.row().id);
   ASSERT_EQ(shown.size(), 3U);
-  EXPECT_EQ(shown[0].verdict, "not pressed deep enough");
+  EXPECT_EQ(shown[0].verdict, Verdict::TooShallow);
   EXPECT_EQ(shown[1].attempt, 2);
   EXPECT_EQ(shown[1].condition, shown[0].condition);
 }
@@ -149,7 +150,7 @@ TEST_F(SessionTest, DrawsAnInterruptedTrialAgainAndLogsWhatWasFelt) {
   test::answer_all(after);
   const auto shown = study_->presentations(after.row().id);
   ASSERT_EQ(shown.size(), 9U);  // four trials of two intervals, and the one that was cut off
-  EXPECT_FALSE(shown[0].complete);
+  EXPECT_FALSE(shown[0].closed());
   EXPECT_EQ(study_->answers(after.row().id)[0].draw, 1);
   EXPECT_TRUE(verify_study(path_).problems.empty());
 }
@@ -171,7 +172,7 @@ TEST_F(SessionTest, AnInterruptionWithinTheProgramIsLogged) {
   session.interrupt(test::press_to(1e-3), "the page was closed");
   EXPECT_EQ(session.phase(), Phase::Ready);
   EXPECT_EQ(session.pending()[0].draw, 1);
-  EXPECT_EQ(study_->presentations(session.row().id).at(0).verdict, "interrupted");
+  EXPECT_EQ(study_->presentations(session.row().id).at(0).verdict, Verdict::Interrupted);
   const auto events = study_->events();
   EXPECT_EQ(events.at(events.size() - 2).text, "the page was closed");
   EXPECT_EQ(events.back().kind, event_kind::kDrawnAgain);

@@ -14,6 +14,7 @@
 #include "tests/trials/support/protocols.hpp"
 #include "tests/trials/support/raw_sql.hpp"
 #include "tests/trials/support/sitting.hpp"
+#include "trials/study/verify.hpp"
 
 namespace palpate::trials {
 namespace {

@@ -1,3 +1,5 @@
+#include "trials/study/verify.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -122,6 +124,27 @@ TEST_F(VerifyTest, AProtocolThatCannotBeReadIsAProblemAndNoException) {
 TEST_F(VerifyTest, ASeedThatIsNoNumberIsAProblemAndNoException) {
   tamper("UPDATE session SET seed = 'x'");
   EXPECT_THAT(problems(), Contains(HasSubstr("a sitting has the seed \"x\"")));
+}
+
+TEST_F(VerifyTest, AnAnswerWithoutATrialIsAProblemAndNoException) {
+  tamper("UPDATE answer SET draw = 7 WHERE trial = 2");
+  EXPECT_THAT(problems(), Contains(HasSubstr("trial 2: is answered but was never drawn")));
+  EXPECT_THAT(problems(), Contains(HasSubstr("chain: entry 3 has lost its answer or event")));
+}
+
+TEST_F(VerifyTest, AVerdictOrConditionThatIsNoneIsAProblemAndNoException) {
+  tamper("UPDATE presentation_end SET verdict = 'x' WHERE presentation = 3");
+  EXPECT_THAT(problems(), Contains(HasSubstr("a presentation's verdict: found \"x\", accepted: enough")));
+  tamper("UPDATE presentation SET condition = 'x' WHERE id = 1");
+  EXPECT_THAT(problems(),
+              Contains(HasSubstr("a presentation names \"x\", which its protocol does not have")));
+}
+
+// The chain holds it: who makes an interval count that did not changes the text that was hashed.
+TEST_F(VerifyTest, AnAlteredVerdictIsFound) {
+  tamper("UPDATE presentation_end SET verdict = 'too few presses' WHERE presentation = 3");
+  EXPECT_THAT(problems(), Contains(HasSubstr("trial 2: interval 1 was never shown as drawn and explored")));
+  EXPECT_THAT(problems(), Contains(HasSubstr("chain: entry 3 was altered")));
 }
 
 TEST_F(VerifyTest, AnswersAreLookedAtWithoutTraces) {

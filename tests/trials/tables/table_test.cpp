@@ -29,18 +29,22 @@ class TableTest : public testing::Test {
     study_.add_event(event);
   }
 
+  Table trials() const { return trial_table(protocol_, answered_trials(study_)); }
+  Table intervals() const { return interval_table(protocol_, answered_trials(study_)); }
+  Table others() const { return exposure_table(protocol_, exposures(study_)); }
+
   test::TemporaryFolder folder_;
   Protocol protocol_ = test::small_protocol(2);
   StudyFile study_;
 };
 
 TEST_F(TableTest, HaveTheColumnsOfTheTrialLog) {
-  EXPECT_EQ(names(trial_table(study_)),
+  EXPECT_EQ(names(trials()),
             (std::vector<std::string>{"participant_id", "session_id", "block", "trial", "run_mode", "task",
                                       "procedure", "contact_model", "correct_answer", "response", "correct",
                                       "response_time_s", "onset_utc", "device", "pseudo_haptic",
                                       "protocol_sha256", "software_version", "voided", "void_reason"}));
-  EXPECT_EQ(names(interval_table(study_)),
+  EXPECT_EQ(names(intervals()),
             (std::vector<std::string>{"participant_id", "session_id", "trial", "interval", "condition",
                                       "level_proposed", "level_presented", "n_presses", "exploration_time_s",
                                       "peak_force_n", "max_depth_m", "clamped_fraction", "loop_rate_hz",
@@ -48,21 +52,21 @@ TEST_F(TableTest, HaveTheColumnsOfTheTrialLog) {
 }
 
 TEST_F(TableTest, HoldEveryAnswerEveryIntervalAndEveryOtherExposure) {
-  EXPECT_EQ(trial_table(study_).rows.size(), 4U);
-  EXPECT_EQ(interval_table(study_).rows.size(), 8U);
-  const Table others = exposure_table(study_);
-  ASSERT_EQ(others.rows.size(), 2U);
-  const std::size_t why = others.columns.size() - 2;
-  EXPECT_EQ(std::get<std::string>(others.rows[0][why]), "not pressed deep enough");
-  EXPECT_EQ(std::get<std::string>(others.rows[1][why]), "interrupted");
-  for (const Table& table : {trial_table(study_), interval_table(study_), others})
+  EXPECT_EQ(trials().rows.size(), 4U);
+  EXPECT_EQ(intervals().rows.size(), 8U);
+  const Table not_counted = others();
+  ASSERT_EQ(not_counted.rows.size(), 2U);
+  const std::size_t why = not_counted.columns.size() - 2;
+  EXPECT_EQ(std::get<std::string>(not_counted.rows[0][why]), "not pressed deep enough");
+  EXPECT_EQ(std::get<std::string>(not_counted.rows[1][why]), "interrupted");
+  for (const Table& table : {trials(), intervals(), not_counted})
     for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size()) << table.name;
-  for (const Table& table : {interval_table(study_), others})
+  for (const Table& table : {intervals(), not_counted})
     for (const auto& row : table.rows) EXPECT_EQ(std::get<std::string>(row.back()), "study") << table.name;
 }
 
 TEST_F(TableTest, AreWrittenAsRfc4180) {
-  const std::string csv = to_csv(trial_table(study_));
+  const std::string csv = to_csv(trials());
   EXPECT_EQ(csv.substr(0, 15), "participant_id,");
   EXPECT_NE(csv.find(",1,\"the \"\"alarm\"\" rang, loudly\"\n"), std::string::npos);
   EXPECT_NE(csv.find(",0,n/a\n"), std::string::npos);

@@ -41,6 +41,7 @@ std::string advice(trials::Verdict verdict, const trials::Exploration& rule) {
     case trials::Verdict::TooShallow:
       return "Please press a little deeper: move the mouse further down.";
     case trials::Verdict::Enough:
+    case trials::Verdict::Interrupted:
       return {};
   }
   return {};
@@ -159,11 +160,11 @@ void Sitting::interrupt(std::string_view reason) {
 
 void Sitting::run_engine(const sim::Model& model, const IntervalLimits& limits) {
   release_engine();
-  engine_ = std::make_unique<IntervalEngine>(model, limits);
+  engine_ = std::make_unique<IntervalEngine>(model, limits, loop_.device());
   loop_.forget_hand();
   loop_.run(*engine_);
   const bool organs = protocol_.during_interval == trials::DuringInterval::Organs;
-  if (frames_ != nullptr && (stage_ == Stage::Gesture || organs)) frames_->show(&model);
+  if (frames_ != nullptr && (stage_ == Stage::Gesture || organs)) frames_->show(&engine_->felt());
 }
 
 /// The engine stays until the next one is made, for its trace.

@@ -1,10 +1,10 @@
-#include "app/loop/snapshot.hpp"
+#include "base/threads/snapshot.hpp"
 
 #include <gtest/gtest.h>
 
 #include <thread>
 
-namespace palpate::app {
+namespace palpate::base {
 namespace {
 
 struct Payload {
@@ -49,4 +49,4 @@ TEST(Snapshot, IsNeverTornWhileOneThreadWritesAndTwoRead) {
 }
 
 }  // namespace
-}  // namespace palpate::app
+}  // namespace palpate::base

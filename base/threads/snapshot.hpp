@@ -8,7 +8,7 @@
 #include <optional>
 #include <type_traits>
 
-namespace palpate::app {
+namespace palpate::base {
 
 /// The newest value that one thread writes and others read: a sequence lock. The writer never waits; a reader
 /// that was overtaken tries again, and gives up after a bounded number of tries. The payload is stored in
@@ -57,4 +57,4 @@ class Snapshot {
   std::array<std::atomic<std::uint64_t>, kWords> words_{};
 };
 
-}  // namespace palpate::app
+}  // namespace palpate::base

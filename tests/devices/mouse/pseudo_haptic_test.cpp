@@ -1,4 +1,4 @@
-#include "app/loop/pseudo_haptic.hpp"
+#include "devices/mouse/pseudo_haptic.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 
-namespace palpate::app {
+namespace palpate::devices {
 namespace {
 
 constexpr double kTick = 1e-3;  // [s]
@@ -103,4 +103,4 @@ TEST(PseudoHaptic, StifferTissueLagsMore) {
 }
 
 }  // namespace
-}  // namespace palpate::app
+}  // namespace palpate::devices

@@ -1,9 +1,9 @@
-#include "app/loop/pseudo_haptic.hpp"
+#include "devices/mouse/pseudo_haptic.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace palpate::app {
+namespace palpate::devices {
 namespace {
 
 constexpr double kSmallestMove = 1e-8;  // [m]; a difference quotient over less is rounding
@@ -31,4 +31,4 @@ void follow_hand(const PseudoHapticCoupling& coupling, DrivenProbe& probe, doubl
   probe.depth += a * pull / (1 + a * (1 + stiffness / coupling.spring));
 }
 
-}  // namespace palpate::app
+}  // namespace palpate::devices

@@ -1,0 +1,9 @@
+#pragma once
+
+#include "app/command_line/command.hpp"
+
+namespace palpate::app {
+
+extern const Command report_command;
+
+}  // namespace palpate::app
