@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "analysis/infinity.hpp"
 #include "analysis/mixed/examinee_integrand.hpp"
 #include "analysis/mixed/gauss_hermite.hpp"
+#include "analysis/numerics/infinity.hpp"
 
 namespace palpate::analysis {
 namespace {

@@ -8,8 +8,8 @@
 #include <map>
 #include <stdexcept>
 
-#include "analysis/infinity.hpp"
-#include "analysis/statistics/result.hpp"
+#include "analysis/numerics/infinity.hpp"
+#include "analysis/numerics/result.hpp"
 
 namespace palpate::analysis {
 namespace {

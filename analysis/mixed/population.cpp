@@ -8,8 +8,8 @@
 #include <limits>
 #include <numbers>
 
-#include "analysis/infinity.hpp"
-#include "analysis/statistics/standard_normal.hpp"
+#include "analysis/numerics/infinity.hpp"
+#include "analysis/numerics/standard_normal.hpp"
 
 namespace palpate::analysis {
 namespace {

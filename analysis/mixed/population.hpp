@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "analysis/mixed/glmm.hpp"
-#include "analysis/statistics/result.hpp"
+#include "analysis/numerics/result.hpp"
 
 namespace palpate::analysis {
 

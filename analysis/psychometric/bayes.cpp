@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlopt.hpp>
 
-#include "analysis/infinity.hpp"
+#include "analysis/numerics/infinity.hpp"
 #include "analysis/psychometric/posterior.hpp"
 
 namespace palpate::analysis {

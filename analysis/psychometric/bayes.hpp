@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "analysis/numerics/result.hpp"
 #include "analysis/psychometric/design.hpp"
-#include "analysis/statistics/result.hpp"
 
 namespace palpate::analysis {
 

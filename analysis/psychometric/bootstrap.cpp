@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "analysis/infinity.hpp"
+#include "analysis/numerics/infinity.hpp"
 #include "analysis/psychometric/goodness.hpp"
 
 namespace palpate::analysis {

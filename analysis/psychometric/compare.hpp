@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/numerics/result.hpp"
 #include "analysis/psychometric/fit.hpp"
-#include "analysis/statistics/result.hpp"
 
 namespace palpate::analysis {
 

@@ -8,7 +8,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "analysis/statistics/result.hpp"
+#include "analysis/numerics/result.hpp"
 
 namespace palpate::analysis {
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "analysis/infinity.hpp"
+#include "analysis/numerics/infinity.hpp"
 #include "analysis/psychometric/climb.hpp"
 #include "analysis/psychometric/limits.hpp"
 

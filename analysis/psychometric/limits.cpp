@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "analysis/infinity.hpp"
+#include "analysis/numerics/infinity.hpp"
 #include "analysis/psychometric/likelihood.hpp"
 
 namespace palpate::analysis {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "analysis/infinity.hpp"
+#include "analysis/numerics/infinity.hpp"
 
 namespace palpate::analysis {
 

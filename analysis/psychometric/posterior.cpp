@@ -7,11 +7,11 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "analysis/infinity.hpp"
+#include "analysis/numerics/infinity.hpp"
+#include "analysis/numerics/log_gamma.hpp"
 #include "analysis/psychometric/bayes.hpp"
 #include "analysis/psychometric/likelihood.hpp"
-#include "analysis/statistics/log_gamma.hpp"
-#include "analysis/words.hpp"
+#include "analysis/words/words.hpp"
 
 namespace palpate::analysis {
 namespace {

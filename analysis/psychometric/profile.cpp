@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-#include "analysis/infinity.hpp"
+#include "analysis/numerics/infinity.hpp"
 #include "analysis/psychometric/limits.hpp"
 #include "analysis/psychometric/measures.hpp"
 #include "analysis/psychometric/search.hpp"

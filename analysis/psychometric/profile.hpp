@@ -2,8 +2,8 @@
 
 #include <span>
 
+#include "analysis/numerics/result.hpp"
 #include "analysis/psychometric/fit.hpp"
-#include "analysis/statistics/result.hpp"
 
 namespace palpate::analysis {
 

@@ -3,11 +3,11 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "analysis/numerics/result.hpp"
 #include "analysis/report/report.hpp"
 #include "analysis/report/sample.hpp"
 #include "analysis/report/select.hpp"
 #include "analysis/report/sentences.hpp"
-#include "analysis/statistics/result.hpp"
 
 namespace palpate::analysis {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "analysis/report/pictures.hpp"
 #include "analysis/report/summary.hpp"
-#include "analysis/svg.hpp"
-#include "analysis/words.hpp"
+#include "analysis/report/svg.hpp"
+#include "analysis/words/words.hpp"
 
 namespace palpate::analysis {
 namespace {

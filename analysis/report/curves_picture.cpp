@@ -4,7 +4,7 @@
 #include <map>
 
 #include "analysis/report/pictures.hpp"
-#include "analysis/svg.hpp"
+#include "analysis/report/svg.hpp"
 
 namespace palpate::analysis {
 namespace {

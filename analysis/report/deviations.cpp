@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "analysis/words.hpp"
+#include "analysis/words/words.hpp"
 
 namespace palpate::analysis {
 namespace {

@@ -4,8 +4,8 @@
 #include <array>
 
 #include "analysis/report/pictures.hpp"
-#include "analysis/svg.hpp"
-#include "analysis/words.hpp"
+#include "analysis/report/svg.hpp"
+#include "analysis/words/words.hpp"
 
 namespace palpate::analysis {
 namespace {

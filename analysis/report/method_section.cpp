@@ -6,7 +6,7 @@
 #include <set>
 
 #include "analysis/report/summary.hpp"
-#include "analysis/words.hpp"
+#include "analysis/words/words.hpp"
 
 namespace palpate::analysis {
 namespace {

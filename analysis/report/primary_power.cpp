@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "analysis/binomial/counts_distribution.hpp"
 #include "analysis/report/primary_test.hpp"
-#include "analysis/statistics/counts_distribution.hpp"
 
 namespace palpate::analysis {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "analysis/study_table.hpp"
+#include "analysis/report/study_table.hpp"
 
 namespace palpate::analysis {
 

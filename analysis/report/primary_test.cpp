@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "analysis/statistics/counts_distribution.hpp"
+#include "analysis/binomial/counts_distribution.hpp"
 
 namespace palpate::analysis {
 namespace {

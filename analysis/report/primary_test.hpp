@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "analysis/statistics/binomial_test.hpp"
-#include "analysis/statistics/order_randomisation.hpp"
-#include "analysis/statistics/planned_looks.hpp"
-#include "analysis/study_table.hpp"
+#include "analysis/binomial/binomial_test.hpp"
+#include "analysis/report/study_table.hpp"
+#include "analysis/statistics/looks/planned_looks.hpp"
+#include "analysis/statistics/randomisation/order_randomisation.hpp"
 
 namespace palpate::analysis {
 

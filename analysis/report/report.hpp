@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "analysis/detection/dprime.hpp"
 #include "analysis/report/primary_test.hpp"
-#include "analysis/statistics/beta_binomial.hpp"
-#include "analysis/statistics/dprime.hpp"
-#include "analysis/statistics/examinee_level.hpp"
-#include "analysis/statistics/interval_bias.hpp"
-#include "analysis/statistics/sign_flip.hpp"
-#include "analysis/statistics/signed_rank.hpp"
-#include "analysis/study_table.hpp"
+#include "analysis/report/study_table.hpp"
+#include "analysis/resampling/sign_flip.hpp"
+#include "analysis/statistics/beta_binomial/beta_binomial.hpp"
+#include "analysis/statistics/examinee_level/examinee_level.hpp"
+#include "analysis/statistics/interval_bias/interval_bias.hpp"
+#include "analysis/statistics/wilcoxon/signed_rank.hpp"
 
 namespace palpate::analysis {
 

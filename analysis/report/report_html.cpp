@@ -3,10 +3,10 @@
 #include "analysis/report/page_style.hpp"
 #include "analysis/report/pictures.hpp"
 #include "analysis/report/summary.hpp"
+#include "analysis/report/svg.hpp"
 #include "analysis/report/tables.hpp"
 #include "analysis/report/write_report.hpp"
-#include "analysis/svg.hpp"
-#include "analysis/words.hpp"
+#include "analysis/words/words.hpp"
 
 namespace palpate::analysis {
 namespace {

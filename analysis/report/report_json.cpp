@@ -1,7 +1,13 @@
 #include <nlohmann/json.hpp>
 
+#include "analysis/binomial/to_json.hpp"
+#include "analysis/detection/to_json.hpp"
+#include "analysis/numerics/to_json.hpp"
 #include "analysis/report/write_report.hpp"
-#include "analysis/statistics/to_json.hpp"
+#include "analysis/resampling/to_json.hpp"
+#include "analysis/statistics/examinee_level/to_json.hpp"
+#include "analysis/statistics/interval_bias/to_json.hpp"
+#include "analysis/statistics/wilcoxon/to_json.hpp"
 
 namespace palpate::analysis {
 

@@ -6,7 +6,7 @@
 #include "analysis/report/summary.hpp"
 #include "analysis/report/tables.hpp"
 #include "analysis/report/write_report.hpp"
-#include "analysis/words.hpp"
+#include "analysis/words/words.hpp"
 
 namespace palpate::analysis {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/svg.hpp"
+#include "analysis/report/svg.hpp"
 
 namespace palpate::analysis {
 

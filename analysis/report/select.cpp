@@ -7,7 +7,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "analysis/words.hpp"
+#include "analysis/words/words.hpp"
 
 namespace palpate::analysis {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/words.hpp"
+#include "analysis/words/words.hpp"
 
 namespace palpate::analysis {
 namespace {

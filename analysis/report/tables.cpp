@@ -8,7 +8,7 @@
 #include <set>
 
 #include "analysis/report/summary.hpp"
-#include "analysis/words.hpp"
+#include "analysis/words/words.hpp"
 
 namespace palpate::analysis {
 namespace {

@@ -8,10 +8,10 @@
 #include <stdexcept>
 #include <thread>
 
+#include "analysis/numerics/proportion_interval.hpp"
+#include "analysis/numerics/to_json.hpp"
 #include "analysis/report/primary_test.hpp"
-#include "analysis/statistics/proportion_interval.hpp"
-#include "analysis/statistics/to_json.hpp"
-#include "analysis/words.hpp"
+#include "analysis/words/words.hpp"
 #include "app/command_line/interrupt.hpp"
 #include "app/command_line/progress.hpp"
 #include "app/command_line/user_cache.hpp"

@@ -7,8 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "analysis/statistics/to_json.hpp"
-#include "analysis/words.hpp"
+#include "analysis/binomial/to_json.hpp"
+#include "analysis/detection/dprime.hpp"
+#include "analysis/words/words.hpp"
 #include "app/command_line/user_cache.hpp"
 #include "app/study/study_table.hpp"
 #include "base/clock/utc.hpp"

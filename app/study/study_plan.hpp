@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "analysis/binomial/binomial_power.hpp"
 #include "analysis/report/primary_power.hpp"
-#include "analysis/statistics/binomial_power.hpp"
-#include "analysis/statistics/planned_looks.hpp"
+#include "analysis/statistics/looks/planned_looks.hpp"
 #include "trials/protocol/protocol.hpp"
 
 namespace palpate::app {

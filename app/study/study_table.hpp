@@ -1,6 +1,6 @@
 #pragma once
 
-#include "analysis/study_table.hpp"
+#include "analysis/report/study_table.hpp"
 #include "trials/study/study_file.hpp"
 
 namespace palpate::app {

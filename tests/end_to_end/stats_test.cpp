@@ -64,6 +64,18 @@ TEST_F(Stats, OptionsCsvAndJsonLinesGiveTheSameResult) {
   for (const json& line : lines_of(scripted.out)) EXPECT_EQ(line, json::parse(typed.out));
 }
 
+TEST_F(Stats, ALineMayNameItsStatisticUnderEitherKey) {
+  const Outcome outcome =
+      run({"stats", "batch", file("batch.jsonl", R"({"procedure": "critical", "trials": 60}
+{"statistic": "critical", "trials": 60}
+{"procedure": "critical", "statistic": "critical", "trials": 60})")});
+  const std::vector<json> lines = lines_of(outcome.out);
+  ASSERT_EQ(lines.size(), 3U);
+  EXPECT_EQ(lines[0], lines[1]);
+  EXPECT_EQ(lines[1]["procedure"], "critical");
+  EXPECT_THAT(lines[2]["error"], HasSubstr("one of them is accepted"));
+}
+
 TEST_F(Stats, ALineThatCannotBeAnsweredLosesNoOther) {
   const std::string batch =
       file("batch.jsonl", R"({"procedure": "binomial", "correct": 37, "trials": 60, "id": "a"}
@@ -269,10 +281,10 @@ TEST_F(Stats, PartsOfTwoProtocolsAreNotJoined) {
   EXPECT_THAT(other.err, HasSubstr("different simulations"));
 }
 
-// Made by `palpate stats list --format markdown > docs/procedures.md`.
+// Made by `palpate stats list --format markdown > docs/statistics.md`.
 TEST_F(Stats, ThePageThatDocumentsThemIsUpToDate) {
   EXPECT_EQ(run({"stats", "list", "--format", "markdown"}).out,
-            text_of(palpate::test::source_folder() + "/docs/procedures.md"));
+            text_of(palpate::test::source_folder() + "/docs/statistics.md"));
 }
 
 }  // namespace palpate::test

@@ -11,7 +11,7 @@
 #include <stdexcept>
 
 #include "analysis/report/primary_power.hpp"
-#include "analysis/words.hpp"
+#include "analysis/words/words.hpp"
 #include "app/command_line/input_kind.hpp"
 #include "app/command_line/output.hpp"
 #include "app/command_line/scene_options.hpp"

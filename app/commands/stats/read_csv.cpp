@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "analysis/procedures/read_number.hpp"
-#include "analysis/words.hpp"
+#include "analysis/description/read_number.hpp"
+#include "analysis/words/words.hpp"
 #include "base/files/read_file.hpp"
 #include "base/text/csv.hpp"
 

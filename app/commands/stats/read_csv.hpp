@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "analysis/procedures/data_table.hpp"
+#include "analysis/description/data_table.hpp"
 
 namespace palpate::app {
 

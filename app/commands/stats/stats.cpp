@@ -12,11 +12,12 @@
 #include <string>
 #include <vector>
 
-#include "analysis/procedures/merge_bootstrap.hpp"
-#include "analysis/procedures/procedure.hpp"
+#include "analysis/description/statistic.hpp"
+#include "analysis/statistics/psychometric/merge_bootstrap.hpp"
+#include "analysis/statistics/statistics.hpp"
 #include "app/command_line/output.hpp"
-#include "app/commands/stats/procedure_help.hpp"
 #include "app/commands/stats/read_csv.hpp"
+#include "app/commands/stats/statistic_help.hpp"
 #include "app/commands/stats/stats_batch.hpp"
 #include "app/study/power_simulation.hpp"
 
@@ -25,9 +26,9 @@ namespace {
 
 using analysis::Data;
 using analysis::Input;
-using analysis::Procedure;
+using analysis::Statistic;
 
-// What stands behind the options of one procedure: texts, which read_arguments() reads.
+// What stands behind the options of one statistic: texts, which read_arguments() reads.
 struct Asked {
   std::map<std::string, std::string> texts;
   std::map<std::string, bool> switches;
@@ -50,14 +51,14 @@ void add_input(CLI::App& command, Asked& asked, const Input& input) {
   }
 }
 
-void run_stats(const Procedure& procedure, const CLI::App& command, const Asked& asked) {
+void run_stats(const Statistic& statistic, const CLI::App& command, const Asked& asked) {
   nlohmann::json values = nlohmann::json::object();
   for (const auto& [name, text] : asked.texts) {
     if (command.count("--" + name) > 0) values[name] = text;
   }
   for (const auto& [name, on] : asked.switches) values[name] = on;
-  const analysis::Outcome outcome = procedure.run(analysis::read_arguments(
-      procedure, values, asked.file.empty() ? analysis::DataTable{} : read_csv(asked.file)));
+  const analysis::Outcome outcome = statistic.run(analysis::read_arguments(
+      statistic, values, asked.file.empty() ? analysis::DataTable{} : read_csv(asked.file)));
   if (asked.format == "json") {
     print_json(outcome.json);
   } else {
@@ -65,21 +66,21 @@ void run_stats(const Procedure& procedure, const CLI::App& command, const Asked&
   }
 }
 
-void add_procedure(CLI::App& stats, const Procedure& procedure) {
-  CLI::App* command = stats.add_subcommand(procedure.name, summary_of(procedure));
-  command->footer(teaching_of(procedure));
+void add_statistic(CLI::App& stats, const Statistic& statistic) {
+  CLI::App* command = stats.add_subcommand(statistic.name, summary_of(statistic));
+  command->footer(teaching_of(statistic));
   const auto asked = std::make_shared<Asked>();
-  if (procedure.data.shape != Data::Shape::None) {
-    CLI::Option* file = command->add_option("FILE", asked->file, "CSV file: " + procedure.data.meaning);
-    if (!procedure.data.optional) file->required();
+  if (statistic.data.shape != Data::Shape::None) {
+    CLI::Option* file = command->add_option("FILE", asked->file, "CSV file: " + statistic.data.meaning);
+    if (!statistic.data.optional) file->required();
   }
-  for (const Input& input : procedure.inputs) add_input(*command, *asked, input);
+  for (const Input& input : statistic.inputs) add_input(*command, *asked, input);
   add_format(*command, asked->format);
-  command->callback([&procedure, command, asked] { run_stats(procedure, *command, *asked); });
+  command->callback([&statistic, command, asked] { run_stats(statistic, *command, *asked); });
 }
 
 void add_list(CLI::App& stats) {
-  CLI::App* command = stats.add_subcommand("list", "Every procedure with its inputs and outputs");
+  CLI::App* command = stats.add_subcommand("list", "Every statistic with its inputs and outputs");
   command->footer("Example: the page that documents them\n  palpate stats list --format markdown\n");
   const auto format = std::make_shared<std::string>();
   command->add_option("--format", *format, "What to print")
@@ -87,17 +88,17 @@ void add_list(CLI::App& stats) {
       ->default_val("text");
   command->callback([format] {
     if (*format == "json") {
-      print_json(procedures_as_json());
+      print_json(statistics_as_json());
     } else {
-      fmt::print("{}", *format == "markdown" ? procedures_as_markdown() : procedures_as_text());
+      fmt::print("{}", *format == "markdown" ? statistics_as_markdown() : statistics_as_text());
     }
   });
 }
 
 void add_batch(CLI::App& stats) {
-  CLI::App* command = stats.add_subcommand("batch", "Many procedures: JSON lines in, JSON lines out");
+  CLI::App* command = stats.add_subcommand("batch", "Many statistics: JSON lines in, JSON lines out");
   command->footer(
-      "Each line is an object: the procedure's name, its inputs by name, and its data as arrays or a CSV "
+      "Each line is an object: the statistic's name, its inputs by name, and its data as arrays or a CSV "
       "file.\n"
       "A line that cannot be answered gives a line with \"error\"; the others are answered all the same, and "
       "the\n"
@@ -180,11 +181,11 @@ void add_merge_of_parts(CLI::App& stats) {
 
 void add(CLI::App& command) {
   command.footer(
-      "Each procedure teaches when it applies: palpate stats binomial --help\n\n"
+      "Each statistic teaches when it applies: palpate stats binomial --help\n\n"
       "Example:\n"
       "  palpate stats binomial --correct 41 --trials 60 --chance 1/2 --side greater\n");
   command.require_subcommand(1);
-  for (const Procedure& procedure : analysis::procedures()) add_procedure(command, procedure);
+  for (const Statistic& statistic : analysis::statistics()) add_statistic(command, statistic);
   add_batch(command);
   add_list(command);
   add_merge_of_parts(command);
@@ -193,7 +194,7 @@ void add(CLI::App& command) {
 }  // namespace
 
 const Command stats_command{.name = "stats",
-                            .summary = "One statistical procedure on numbers or a CSV file",
+                            .summary = "One statistic on numbers or a CSV file",
                             .heading = "Statistics",
                             .add = add};
 

@@ -12,8 +12,9 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "analysis/procedures/procedure.hpp"
-#include "analysis/words.hpp"
+#include "analysis/description/statistic.hpp"
+#include "analysis/statistics/statistics.hpp"
+#include "analysis/words/words.hpp"
 #include "app/command_line/output.hpp"
 #include "app/commands/stats/read_csv.hpp"
 
@@ -58,13 +59,20 @@ ordered_json parsed(const std::string& text) {
   });
 }
 
+// The name that a line gives under "procedure", as it has been from the first version, or under "statistic".
+const analysis::Statistic& statistic_of(const ordered_json& asked) {
+  if (asked.contains("procedure") && asked.contains("statistic"))
+    throw std::invalid_argument("both \"procedure\" and \"statistic\"; one of them is accepted");
+  const char* key = asked.contains("statistic") ? "statistic" : "procedure";
+  if (asked.contains(key) && asked[key].is_string())
+    return analysis::statistic_named(asked[key].get<std::string>());
+  throw std::invalid_argument(
+      "\"procedure\" is missing; it names what to do, as in \"procedure\": \"binomial\"");
+}
+
 ordered_json answer(ordered_json asked) {
   if (!asked.is_object()) throw std::invalid_argument("the line is no JSON object");
-  if (!asked.contains("procedure") || !asked["procedure"].is_string()) {
-    throw std::invalid_argument(
-        "\"procedure\" is missing; it names what to do, as in \"procedure\": \"binomial\"");
-  }
-  const analysis::Procedure& procedure = analysis::procedure_named(asked["procedure"].get<std::string>());
+  const analysis::Statistic& statistic = statistic_of(asked);
   analysis::DataTable table;
   if (asked.contains("data") && asked.contains("file")) {
     throw std::invalid_argument("both \"data\" and \"file\"; one of them is accepted");
@@ -73,8 +81,8 @@ ordered_json answer(ordered_json asked) {
   if (asked.contains("file")) table = read_csv(asked["file"].get<std::string>());
   ordered_json result;
   if (asked.contains("id")) result["id"] = asked["id"];
-  for (const char* key : {"procedure", "data", "file", "id"}) asked.erase(key);
-  result.update(procedure.run(analysis::read_arguments(procedure, asked, std::move(table))).json);
+  for (const char* key : {"procedure", "statistic", "data", "file", "id"}) asked.erase(key);
+  result.update(statistic.run(analysis::read_arguments(statistic, asked, std::move(table))).json);
   return result;
 }
 

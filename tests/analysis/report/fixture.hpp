@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "analysis/report/report.hpp"
-#include "analysis/study_table.hpp"
+#include "analysis/report/study_table.hpp"
 
 namespace palpate::analysis::test {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "analysis/statistics/binomial_power.hpp"
+#include "analysis/binomial/binomial_power.hpp"
 #include "tests/analysis/report/fixture.hpp"
 
 namespace palpate::analysis {

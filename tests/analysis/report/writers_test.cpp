@@ -8,8 +8,8 @@
 #include <regex>
 #include <sstream>
 
+#include "analysis/report/svg.hpp"
 #include "analysis/report/write_report.hpp"
-#include "analysis/svg.hpp"
 #include "tests/analysis/report/fixture.hpp"
 #include "tests/support/places.hpp"
 

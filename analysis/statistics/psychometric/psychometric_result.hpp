@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/psychometric/goodness.hpp"
+#include "analysis/psychometric/request.hpp"
+
+namespace palpate::analysis {
+
+struct MeasureEstimate {
+  double value = 0.0;
+  Interval interval{};
+};
+
+/// What `psychometric` found, ready to be written as JSON and as text.
+struct PsychometricResult {
+  PsychometricRequest request{};
+  std::optional<std::string> why_not{};  // why there is no function of the family
+  std::string status{};                  // "fitted", "separable", "no rise", "unfit levels"
+  PsychometricFit fit{};
+  MeasureEstimate threshold{}, slope{}, lapse{};
+  std::optional<MeasureEstimate> pse{}, jnd{}, weber{};
+  double log_likelihood = 0.0;  // with the binomial coefficients
+  double deviance = 0.0;
+  double degrees_of_freedom = 0.0;
+  std::optional<double> p_bootstrap{}, p_chi_squared{};
+  std::vector<BlockInfluence> blocks{};
+};
+
+/// `replicates` may be empty: then nothing is said that needs them.
+PsychometricResult psychometric_result(const PsychometricRequest& request, const Fitter* fitter,
+                                       const PsychometricFit& fit, const std::vector<Replicate>& replicates);
+
+nlohmann::ordered_json to_json(const PsychometricResult& result);
+std::string in_words(const PsychometricResult& result);
+
+}  // namespace palpate::analysis

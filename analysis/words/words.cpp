@@ -1,0 +1,98 @@
+#include "analysis/words/words.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace palpate::analysis {
+
+std::string p_in_words(double p) {
+  if (std::isnan(p)) return "p not available";
+  if (p < 0.0001) return "p < 0.0001";
+  if (p >= 0.9995) return "p = 1";
+  return p < 0.001 ? fmt::format("p = {:.4f}", p) : fmt::format("p = {:.3f}", p);
+}
+
+std::string percent(double proportion) {
+  return std::isnan(proportion) ? "n/a" : fmt::format("{:.1f} %", 100 * proportion);
+}
+
+std::string number(double value) {
+  if (std::isnan(value)) return "n/a";
+  if (std::isinf(value)) return value > 0 ? "infinite" : "minus infinite";
+  return fmt::format("{:.4g}", value == 0 ? 0.0 : value);  // no "-0"
+}
+
+std::string decimals(double value, int count) {
+  if (!std::isfinite(value)) return number(value);
+  const std::string text = fmt::format("{:.{}f}", value, count);
+  const bool zero = text.find_first_not_of("-0.") == std::string::npos;
+  return zero && text.starts_with('-') ? text.substr(1) : text;
+}
+
+std::string percent_range(const Interval& interval) {
+  if (std::isnan(interval.lower) || std::isnan(interval.upper)) return "none";
+  return percent(interval.lower) + " to " + percent(interval.upper);
+}
+
+std::string range(const Interval& interval) {
+  return range(interval, [](double value) { return number(value); });
+}
+
+std::string range(const Interval& interval, const std::function<std::string(double)>& written) {
+  const bool below = std::isinf(interval.lower), above = std::isinf(interval.upper);
+  if (std::isnan(interval.lower) || std::isnan(interval.upper)) return "none";
+  if (below && above) return "any value";
+  if (below) return "up to " + written(interval.upper);
+  if (above) return written(interval.lower) + " and more";
+  return written(interval.lower) + " to " + written(interval.upper);
+}
+
+std::string short_percent(double proportion) {
+  return fmt::format("{:.4g} %", 100 * proportion);
+}
+
+std::string counted(long count, const std::string& singular, const std::string& plural) {
+  return fmt::format("{} {}", count, count == 1 ? singular : plural);
+}
+
+std::string listed(const std::vector<std::string>& items) {
+  std::string text;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (i > 0) text += i + 1 == items.size() ? " and " : ", ";
+    text += items[i];
+  }
+  return text;
+}
+
+std::string chance_in_words(double chance) {
+  const double choices = std::round(1 / chance);
+  if (choices <= 100 && std::abs(chance * choices - 1) < 1e-12) return fmt::format("1/{:.0f}", choices);
+  return number(chance);
+}
+
+std::size_t columns(std::string_view text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;  // a UTF-8 continuation byte takes no column
+  }));
+}
+
+std::string wrapped(std::string_view text, std::string_view first, std::string_view next, std::size_t width) {
+  std::istringstream words{std::string(text)};
+  std::string out, row(first), word;
+  bool empty = true;
+  while (words >> word) {
+    if (!empty && columns(row) + 1 + columns(word) > width) {
+      out += row + "\n";
+      row = next;
+      empty = true;
+    }
+    row += (empty ? "" : " ") + word;
+    empty = false;
+  }
+  return out + row + "\n";
+}
+
+}  // namespace palpate::analysis
