@@ -30,8 +30,8 @@ IntervalEngine::IntervalEngine(const sim::Model& model, const IntervalLimits& li
     : model_(&model),
       limits_(limits),
       coupling_(coupling),
-      scratch_(model),
-      pose_(model.probes.size()),
+      simulation_(model),
+      probes_(model.probes.size()),
       probe_{.hand = kLifted, .depth = kLifted, .previous_depth = kLifted} {
   if (limits_.max_time > 0) trace_.reserve(cycles_of(limits_));
   state_.hand = state_.depth = kLifted;
@@ -39,8 +39,8 @@ IntervalEngine::IntervalEngine(const sim::Model& model, const IntervalLimits& li
 
 double IntervalEngine::probe_force() {
   const sim::Probe& finger = model_->probes.front();
-  pose_.front().displacement = probe_.depth * finger.direction;
-  const sim::CycleResult result = sim::cycle(*model_, {}, pose_, scratch_);
+  probes_.front().from_rest = probe_.depth * finger.direction;
+  const sim::CycleResult result = simulation_.step(probes_, kCycleSeconds);
   if (result.solve.stop != sim::Stop::Converged) return std::numeric_limits<double>::quiet_NaN();
   force_on_finger_ = result.probe_forces.front();
   return sim::normal_force(finger, force_on_finger_);
@@ -74,7 +74,7 @@ void IntervalEngine::tick(const HandInput& hand, int elapsed) {
 
 void IntervalEngine::record(const sim::Vec3& force_on_finger) {
   if (limits_.max_time <= 0 || trace_.size() == trace_.capacity()) return;
-  const sim::Vec3 displacement = pose_.front().displacement;
+  const sim::Vec3 displacement = probes_.front().from_rest;
   trials::TraceSample sample;
   sample.time = static_cast<float>(state_.tick * kCycleSeconds);
   sample.proposed_depth = static_cast<float>(probe_.hand);

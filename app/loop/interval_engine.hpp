@@ -5,7 +5,7 @@
 
 #include "app/loop/force_guard.hpp"
 #include "app/loop/pseudo_haptic.hpp"
-#include "sim/cycle/cycle.hpp"
+#include "sim/cycle/simulation.hpp"
 #include "trials/trace/trace.hpp"
 
 namespace palpate::app {
@@ -65,8 +65,8 @@ class IntervalEngine {
   const sim::Model* model_;
   IntervalLimits limits_;
   PseudoHapticCoupling coupling_;
-  sim::Scratch scratch_;
-  std::vector<sim::ProbePose> pose_;
+  sim::Simulation simulation_;
+  std::vector<sim::ProbeDisplacement> probes_;
   sim::Vec3 force_on_finger_ = sim::Vec3::Zero();
   sim::Vec3 sound_force_on_finger_ = sim::Vec3::Zero();  // the last one before a fault
   DrivenProbe probe_{};

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <exception>
 
-#include "sim/cycle/cycle.hpp"
+#include "sim/cycle/simulation.hpp"
 #include "sim/view/image.hpp"
 #include "sim/view/picture_of.hpp"
 #include "sim/view/renderer.hpp"
@@ -76,13 +76,13 @@ void FrameStream::draw() {
 void FrameStream::draw_model(const sim::Model& model) {
   sim::Renderer renderer(kFrameWidth, kFrameHeight);
   const sim::Stage stage = sim::set_stage(model, double(kFrameWidth) / kFrameHeight);
-  sim::Scratch scratch(model);
-  std::vector<sim::ProbePose> pose(model.probes.size());
+  sim::Simulation simulation(model);
+  std::vector<sim::ProbeDisplacement> probes(model.probes.size());
   auto due = Clock::now();
   while (wanted(model)) {
-    pose.front().displacement = state_.read().depth * model.probes.front().direction;
-    sim::cycle(model, {}, pose, scratch);
-    const sim::Picture picture = sim::picture_of(model, stage, scratch.loads(), pose);
+    probes.front().from_rest = state_.read().depth * model.probes.front().direction;
+    simulation.step(probes, 1 / kFramesPerSecond);
+    const sim::Picture picture = sim::picture_of(model, stage, simulation.loads(), probes);
     deliver_(sim::encode_jpeg(renderer.render(picture), kJpegQuality));
     due = std::max(due + kBetweenFrames, Clock::now());
     std::this_thread::sleep_until(due);
