@@ -15,11 +15,11 @@ Simulation::Simulation(const Model& model)
   free_.motion.reserve(model.bodies.size());
   free_solves_.reserve(model.bodies.size());
   for (int i = 0; i < std::ssize(model.bodies); ++i) {
-    const Eigen::VectorXd zero = Eigen::VectorXd::Zero(3 * model.bodies[i].rest.cols());
-    free_.motion.push_back({.displacement = zero});
+    const Eigen::Index size = 3 * model.bodies[i].rest.cols();
+    free_.motion.push_back({.displacement = Eigen::VectorXd::Zero(size)});
     free_solves_.emplace_back(model, i, 0);
-    response_.displacement.push_back(zero);
-    response_.loads.on_body.push_back(zero);
+    response_.displacement.emplace_back(Eigen::VectorXd::Zero(size));
+    response_.loads.on_body.emplace_back(Eigen::VectorXd::Zero(size));
   }
 }
 

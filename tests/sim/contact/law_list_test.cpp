@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 
 #include <set>
+#include <stdexcept>
+#include <string>
+#include <tuple>
 
 #include "sim/contact/laws.hpp"
 #include "sim/cycle/press.hpp"

@@ -1,8 +1,12 @@
 #include "sim/effects/effects.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "tests/sim/support/two_boxes.hpp"
 

@@ -4,6 +4,8 @@
 
 #include <numeric>
 #include <set>
+#include <stdexcept>
+#include <string>
 
 #include "sim/mesh/surface.hpp"
 #include "sim/scene/accepted.hpp"
