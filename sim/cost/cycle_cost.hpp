@@ -45,8 +45,8 @@ struct CostOptions {
 };
 
 /// Presses to and fro over the poses and times each cycle, after one round to warm up. Each cycle is timed
-/// beside one without contact at the same pose, and their difference is the interaction. The probes move a whole
-/// step from cycle to cycle, faster than a hand would at 1 kHz, so less is left from the cycle before.
+/// beside one without contact at the same pose, and their difference is the interaction. The probes move a
+/// whole step from cycle to cycle, faster than a hand would at 1 kHz, so less is left from the cycle before.
 CycleCost measure_cycle(const Model& model, const ContactLaw& law, const CostOptions& options);
 
 /// The compliance that the last cycle could not do without: of every node that carries load, the column of

@@ -30,10 +30,10 @@ class Simulation {
   /// @param model  outlives the simulation
   explicit Simulation(const Model& model);
 
-  /// One update of the haptic loop: displacements in, force out. Allocates nothing, locks nothing, and depends
-  /// on the displacements and the memory alone: without memory the same displacements give the same bits
-  /// whatever cycles went before. A cycle that fails gives zero force and says why (a displacement that is not
-  /// finite: Stop::NotFinite); nothing is ever guessed. @param dt  since the cycle before [s]
+  /// One update of the haptic loop: displacements in, force out. Allocates nothing, locks nothing, and
+  /// depends on the displacements and the memory alone: without memory the same displacements give the same
+  /// bits whatever cycles went before. A cycle that fails gives zero force and says why (a displacement that
+  /// is not finite: Stop::NotFinite); nothing is ever guessed. @param dt  since the cycle before [s]
   CycleResult step(ProbeDisplacements probes, double dt);
 
   /// Forgets all history, as if no cycle had been.

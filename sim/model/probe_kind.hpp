@@ -13,8 +13,8 @@ namespace palpate::sim {
 struct ProbeKind {
   ProbeKindKeys keys{};  // its name and the keys that it takes in a scene
 
-  /// Sets the nodes that the probe holds, as mesh nodes, and their weights (sum 1). @param middle  the node of
-  /// the surface that the scene puts the probe at
+  /// Sets the nodes that the probe holds, as mesh nodes, and their weights (sum 1).
+  /// @param middle  the node of the surface that the scene puts the probe at
   void (*hold)(const ProbeSpec& spec, const TetMesh& mesh, const Surface& surface, int middle,
                Probe& probe) = nullptr;
 

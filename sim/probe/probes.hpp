@@ -13,8 +13,8 @@ namespace palpate::sim {
 void prescribe(const Model& model, ProbeDisplacements displacements, ProbeRows& rows);
 
 /// Puts a probe on a body: at the surface node that the scene names, or nearest to the place that it names,
-/// and the nodes that the probe's kind holds from there. Sets kind, nodes, weights and at, nodes still as mesh
-/// nodes. Throws std::invalid_argument for an unknown node number and for a node that is fixed.
+/// and the nodes that the probe's kind holds from there. Sets kind, nodes, weights and at, nodes still as
+/// mesh nodes. Throws std::invalid_argument for an unknown node number and for a node that is fixed.
 void place_probe(const ProbeSpec& spec, const TetMesh& mesh, const Surface& surface,
                  const std::vector<int>& fixed, Probe& probe);
 

@@ -15,7 +15,7 @@ namespace palpate::sim {
 /// what went before.
 class PrescribedSolve {
  public:
-  /// All storage is taken here, for the body's probes and so many nodes beside them; none where both are none.
+  /// All storage is taken here, for the body's probes and so many nodes beside them.
   /// @param model  outlives the solve
   PrescribedSolve(const Model& model, int body, int most_nodes);
 

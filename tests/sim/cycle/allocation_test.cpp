@@ -91,8 +91,8 @@ std::size_t bytes_of_simulation(const std::vector<Override>& overrides) {
 
 }  // namespace
 
-// With `none` nothing is there for contact: no pairs, trees, claims or factors, just as where there is nothing
-// to touch.
+// With `none` nothing is there for contact: no pairs, trees, claims or factors, just as where there is
+// nothing to touch.
 TEST(AllocationOfLaw, NoneTakesNothingForContact) {
   const std::size_t none = bytes_of_simulation({{"contact.model", "none"}});
   EXPECT_EQ(none, bytes_of_simulation({{"contact.model", "none"}, {"contact.touch", "[]"}}));
