@@ -5,13 +5,15 @@
 #include <stdexcept>
 
 #include "base/text/quantity.hpp"
+#include "sim/contact/laws.hpp"
 
 namespace palpate::app {
 
 void add_scene(CLI::App& command, SceneOptions& options) {
   command.add_option("scene", options.file, "Scene file (TOML)")->required();
-  command.add_option("--model", options.model,
-                     "Contact model: none, sibille or kuroda (default: the scene's)");
+  command.add_option(
+      "--model", options.model,
+      fmt::format("Contact model: {} (default: the scene's)", sim::choice_of_contact_models()));
   command
       .add_option("--set", options.set, "Replace an entry of the scene, e.g. bodies.prostate.present=false")
       ->type_name("KEY=VALUE")

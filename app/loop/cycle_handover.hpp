@@ -3,14 +3,15 @@
 #include <atomic>
 #include <vector>
 
-#include "sim/cycle/cycle.hpp"
+#include "sim/model/free_state.hpp"
+#include "sim/model/loads.hpp"
 #include "sim/model/model.hpp"
 
 namespace palpate::app {
 
 /// What the hand felt in one cycle: where the probes were, and the loads that this put on the bodies.
 struct FeltCycle {
-  std::vector<sim::ProbePose> pose;
+  std::vector<sim::ProbeDisplacement> probes;
   sim::Loads loads;
 };
 
@@ -20,8 +21,9 @@ struct FeltCycle {
 /// nobody waits, nothing is torn.
 class CycleHandover {
  public:
-  /// @param pose, loads  of the sizes that offer() will be given
-  CycleHandover(const sim::Model& model, const std::vector<sim::ProbePose>& pose, const sim::Loads& loads);
+  /// @param probes, loads  of the sizes that offer() will be given
+  CycleHandover(const sim::Model& model, const std::vector<sim::ProbeDisplacement>& probes,
+                const sim::Loads& loads);
 
   // For the one thread that reads.
   /// Asks for the next cycle. What answer() gave before is not to be looked at any more.
@@ -33,7 +35,7 @@ class CycleHandover {
   const sim::Model& model() const { return *model_; }
 
   /// For the loop, once a cycle. Allocates nothing.
-  void offer(const std::vector<sim::ProbePose>& pose, const sim::Loads& loads);
+  void offer(const std::vector<sim::ProbeDisplacement>& probes, const sim::Loads& loads);
 
  private:
   enum class Turn { Idle, Asked, Answered };

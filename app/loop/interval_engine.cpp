@@ -31,18 +31,18 @@ IntervalEngine::IntervalEngine(const sim::Model& model, const IntervalLimits& li
       limits_(limits),
       device_(&device),
       largest_force_(device.facts.gives_force ? device.facts.continuous_force : kLargestForce),
-      scratch_(model),
-      pose_(model.probes.size()),
+      simulation_(model),
+      probes_(model.probes.size()),
       probe_(devices::probe_at(model.probes.front().direction, kLifted)),
-      felt_(model, pose_, scratch_.loads()) {
+      felt_(model, probes_, simulation_.loads()) {
   if (limits_.max_time > 0) trace_.reserve(cycles_of(limits_));
   state_.hand = state_.depth = kLifted;
 }
 
 double IntervalEngine::probe_force() {
   const sim::Probe& finger = model_->probes.front();
-  pose_.front().displacement = probe_.displacement;
-  const sim::CycleResult result = sim::cycle(*model_, {}, pose_, scratch_);
+  probes_.front().from_rest = probe_.displacement;
+  const sim::CycleResult result = simulation_.step(probes_, kCycleSeconds);
   if (result.solve.stop != sim::Stop::Converged) return std::numeric_limits<double>::quiet_NaN();
   force_on_finger_ = result.probe_forces.front();
   return sim::normal_force(finger, force_on_finger_);
@@ -58,7 +58,7 @@ sim::Vec3 IntervalEngine::target(const HandInput& hand) const {
 
 void IntervalEngine::tick(const HandInput& hand, int elapsed) {
   if (!state_.over) advance(hand, elapsed);
-  felt_.offer(pose_, scratch_.loads());
+  felt_.offer(probes_, simulation_.loads());
 }
 
 void IntervalEngine::advance(const HandInput& hand, int elapsed) {
@@ -90,7 +90,7 @@ void IntervalEngine::deliver() {
 
 void IntervalEngine::record() {
   if (limits_.max_time <= 0 || trace_.size() == trace_.capacity()) return;
-  const sim::Vec3 displacement = pose_.front().displacement;
+  const sim::Vec3 displacement = probes_.front().from_rest;
   trials::TraceSample sample;
   sample.time = static_cast<float>(state_.tick * kCycleSeconds);
   sample.proposed_depth = static_cast<float>(probe_.hand);

@@ -6,7 +6,7 @@
 #include "app/loop/cycle_handover.hpp"
 #include "app/loop/force_guard.hpp"
 #include "devices/device/device.hpp"
-#include "sim/cycle/cycle.hpp"
+#include "sim/cycle/simulation.hpp"
 #include "trials/trace/trace.hpp"
 
 namespace palpate::app {
@@ -78,8 +78,8 @@ class IntervalEngine {
   IntervalLimits limits_;
   const devices::Device* device_;
   double largest_force_;  // that the hand may get [N]
-  sim::Scratch scratch_;
-  std::vector<sim::ProbePose> pose_;
+  sim::Simulation simulation_;
+  std::vector<sim::ProbeDisplacement> probes_;
   sim::Vec3 force_on_finger_ = sim::Vec3::Zero();
   sim::Vec3 sound_force_on_finger_ = sim::Vec3::Zero();  // the last one before a fault
   sim::Vec3 force_on_hand_ = sim::Vec3::Zero();

@@ -28,29 +28,27 @@ std::shared_ptr<const Compliance> ComplianceCache::get(const TetMesh& mesh,
                                                        std::span<const Material> materials,
                                                        std::span<const int> fixed, std::span<const int> touch,
                                                        std::span<const int> drawn) {
-  last_event_ = {.source = Event::Source::Memory, .trouble = ""};
   const std::string key = compliance_key(mesh, materials, fixed, touch, drawn);
   if (const auto known = in_memory_.find(key); known != in_memory_.end()) return known->second;
 
   const std::filesystem::path file = folder_ / (key + ".compliance");
+  std::string trouble;
   if (!folder_.empty()) {
     CompliancePayload read = read_compliance(file, key, touch, drawn);
-    last_event_ = {.source = Event::Source::Disk, .trouble = ""};
     if (read.compliance)
       return in_memory_[key] = std::make_shared<const Compliance>(std::move(*read.compliance));
-    if (!read.fault.empty()) last_event_.trouble = read.fault + "; made anew";
+    if (!read.fault.empty()) trouble = read.fault + "; made anew";
   }
 
-  last_event_.source = Event::Source::Built;
   require_supports(mesh, fixed);
   auto built = std::make_shared<const Compliance>(condense(stiffness(mesh, materials), fixed, touch, drawn));
   try {
     if (!folder_.empty()) write_compliance(file, key, *built);
   } catch (const std::system_error& refusal) {
-    if (!last_event_.trouble.empty()) last_event_.trouble += "; ";
-    last_event_.trouble += fmt::format("the compliance is not kept for the next run: {}", refusal.what());
+    if (!trouble.empty()) trouble += "; ";
+    trouble += fmt::format("the compliance is not kept for the next run: {}", refusal.what());
   }
-  if (tell_trouble_ && !last_event_.trouble.empty()) tell_trouble_(last_event_.trouble);
+  if (tell_trouble_ && !trouble.empty()) tell_trouble_(trouble);
   return in_memory_[key] = std::move(built);
 }
 

@@ -27,13 +27,6 @@ class ComplianceCache {
   /// The folder that the program uses: $PALPATE_CACHE, else $XDG_CACHE_HOME/palpate, else ~/.cache/palpate.
   static std::filesystem::path default_folder();
 
-  /// Where the last compliance came from, and what went wrong on the way without stopping the run.
-  struct Event {
-    enum class Source { Memory, Disk, Built } source = Source::Built;
-    std::string
-        trouble;  // a sentence for the user: a file that was refused or could not be written; or empty
-  };
-
   /// The compliance of the supported body, from memory, disk or condense(stiffness(mesh, materials), ...).
   /// Bodies of one material have it at E = 1 Pa, so that a change of stiffness finds the same entry.
   /// Throws std::invalid_argument as stiffness() and condense() do.
@@ -41,12 +34,9 @@ class ComplianceCache {
                                         std::span<const int> fixed, std::span<const int> touch,
                                         std::span<const int> drawn);
 
-  const Event& last_event() const { return last_event_; }
-
  private:
   std::filesystem::path folder_;
   std::function<void(const std::string&)> tell_trouble_;
-  Event last_event_;
   std::map<std::string, std::shared_ptr<const Compliance>> in_memory_;
 };
 

@@ -22,38 +22,35 @@ double microseconds_since(Clock::time_point start) {
 
 struct PressPose {
   double depth = 0.0;  // [m]
-  std::vector<ProbePose> pose{};
+  std::vector<ProbeDisplacement> probes{};
 };
 
 /// Whether the bodies, moved by the probes alone, have come together: whatever contact model then works.
-bool bodies_touch(const Model& alone, Pose pose, Scratch& scratch) {
-  cycle(alone, {}, pose, scratch);
-  FreeMotion motion = rest_motion(alone);
-  for (std::size_t i = 0; i < motion.size(); ++i) {
-    motion[i].displacement = scratch.displacement(static_cast<int>(i));
-    motion[i].moved = true;
-  }
-  place(alone, motion);
+bool bodies_touch(const Model& model, ProbeDisplacements probes, Simulation& alone) {
+  alone.step(probes, kCyclePeriod);
+  const FreeMotion motion = alone.motion();
+  Placement placement = rest_placement(model);
+  place(model, motion, placement);
   Pairs pairs;
-  find_pairs(alone, motion, pairs);
+  find_pairs(model, motion, placement, pairs);
   return !pairs.empty();
 }
 
 /// From shallow to deep: those at which bodies touch, or all if there are none of these.
-std::vector<PressPose> poses_to_time(const Model& alone, const CostOptions& options, bool& touching) {
-  Scratch scratch(alone);
+std::vector<PressPose> poses_to_time(const Model& model, const CostOptions& options, Simulation& alone,
+                                     bool& touching) {
   std::vector<PressPose> all, together;
   for (int step = 1; step <= options.poses; ++step) {
     const double depth = options.depth * step / options.poses;
-    all.push_back({depth, pose_at_depth(alone, depth)});
-    if (bodies_touch(alone, all.back().pose, scratch)) together.push_back(all.back());
+    all.push_back({depth, displaced_by(model, depth)});
+    if (bodies_touch(model, all.back().probes, alone)) together.push_back(all.back());
   }
   touching = !together.empty();
   return touching ? together : all;
 }
 
-Model with_law(Model model, ContactModel law) {
-  model.law = law;
+Model with_law(Model model, const ContactLaw& law) {
+  model.law = &law;
   return model;
 }
 
@@ -99,14 +96,14 @@ Spread spread_of(std::vector<double> microseconds) {
   return {.median = at(0.5), .p99 = at(0.99), .p999 = at(0.999), .slowest = microseconds.back()};
 }
 
-ContactSet final_contact_set(const Model& model, Pose pose, const Loads& loads) {
+ContactSet final_contact_set(const Model& model, ProbeDisplacements probes, const Loads& loads) {
   ContactSet set;
   std::vector<std::vector<char>>
       by_probe;  // nodes that a pressing probe loads: its own columns hold what they do
   for (const Body& body : model.bodies) by_probe.emplace_back(static_cast<std::size_t>(body.rest.cols()), 0);
   for (std::size_t i = 0; i < model.probes.size(); ++i) {
     const Probe& probe = model.probes[i];
-    if (!(pose[i].displacement.dot(probe.direction) > 0.0)) continue;
+    if (!(probes[i].from_rest.dot(probe.direction) > 0.0)) continue;
     set.columns.push_back({&probe.compliance, 0, probe.compliance.cols()});
     for (const int node : probe.nodes) by_probe[probe.body][node] = 1;
   }
@@ -126,46 +123,61 @@ double read_once(const ContactSet& set) {
   return sum;
 }
 
-CycleCost measure_cycle(const Model& model, ContactModel law, const CostOptions& options) {
-  if (!(options.depth > 0.0)) throw std::invalid_argument("a press of depth 0 has no cost to measure");
-  const Model alone = with_law(model, ContactModel::None), whole = with_law(model, law);
-  CycleCost cost{.law = law};
-  const std::vector<PressPose> poses = poses_to_time(alone, options, cost.touching);
-  Scratch alone_scratch(alone), scratch(whole);
+namespace {
 
-  std::vector<double> deformation, interaction, total;
-  std::vector<std::vector<double>> by_pose(poses.size());
+/// Times of each cycle [us].
+struct CycleTimes {
+  std::vector<double> deformation{}, interaction{}, total{};
+  std::vector<std::vector<double>> by_pose{};  // total at each pose
+};
+
+CycleTimes time_cycles(const std::vector<PressPose>& poses, const CostOptions& options, Simulation& alone,
+                       Simulation& whole) {
+  CycleTimes times{.by_pose = std::vector<std::vector<double>>(poses.size())};
   const auto started = Clock::now();
-  const long interrupted_before = interruptions();
   const int warm_up = 2 * static_cast<int>(poses.size());
   for (int i = 0; i < warm_up + options.most_cycles; ++i) {
     if (microseconds_since(started) > 1e6 * options.most_seconds && i > 2 * warm_up) break;
     const std::size_t p = to_and_fro(i, poses.size());
     const auto start = Clock::now();
-    cycle(alone, {}, poses[p].pose, alone_scratch);
+    alone.step(poses[p].probes, kCyclePeriod);
     const double by_probes = microseconds_since(start);
     const auto again = Clock::now();
-    cycle(whole, {}, poses[p].pose, scratch);
+    whole.step(poses[p].probes, kCyclePeriod);
     const double all = microseconds_since(again);
     if (i < warm_up) continue;
-    deformation.push_back(by_probes);
-    interaction.push_back(all - by_probes);
-    total.push_back(all);
-    by_pose[p].push_back(all);
+    times.deformation.push_back(by_probes);
+    times.interaction.push_back(all - by_probes);
+    times.total.push_back(all);
+    times.by_pose[p].push_back(all);
   }
+  return times;
+}
+
+}  // namespace
+
+CycleCost measure_cycle(const Model& model, const ContactLaw& law, const CostOptions& options) {
+  if (!(options.depth > 0.0)) throw std::invalid_argument("a press of depth 0 has no cost to measure");
+  const Model alone_model = without_contact(model), whole_model = with_law(model, law);
+  Simulation alone(alone_model), whole(whole_model);
+  CycleCost cost{.law = law.name};
+  const std::vector<PressPose> poses = poses_to_time(model, options, alone, cost.touching);
+
+  const long interrupted_before = interruptions();
+  CycleTimes times = time_cycles(poses, options, alone, whole);
   cost.interruptions = interruptions() - interrupted_before;
-  cost.cycles = static_cast<int>(total.size());
-  cost.deformation = spread_of(std::move(deformation));
-  cost.interaction = spread_of(std::move(interaction));
-  cost.total = spread_of(std::move(total));
+  cost.cycles = static_cast<int>(times.total.size());
+  cost.deformation = spread_of(std::move(times.deformation));
+  cost.interaction = spread_of(std::move(times.interaction));
+  cost.total = spread_of(std::move(times.total));
   for (std::size_t p = 0; p < poses.size(); ++p) {
     cost.depths.push_back(poses[p].depth);
-    cost.depth_medians.push_back(spread_of(std::move(by_pose[p])).median);
+    cost.depth_medians.push_back(spread_of(std::move(times.by_pose[p])).median);
   }
 
-  const CycleResult deepest = cycle(whole, {}, poses.back().pose, scratch);
+  const CycleResult deepest = whole.step(poses.back().probes, kCyclePeriod);
   for (const PairSummary& pair : deepest.pairs) cost.active += pair.active;
-  const ContactSet set = final_contact_set(whole, poses.back().pose, scratch.loads());
+  const ContactSet set = final_contact_set(whole_model, poses.back().probes, whole.loads());
   cost.limit_bytes = set.bytes;
   cost.limit = median_read(set);
   return cost;

@@ -1,9 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
-#include "sim/cycle/cycle.hpp"
+#include "sim/cycle/simulation.hpp"
 #include "sim/model/model.hpp"
 
 namespace palpate::sim {
@@ -22,14 +23,14 @@ Spread spread_of(std::vector<double> microseconds);
 
 /// Time of one haptic cycle under one contact model, over the poses at which bodies touch.
 struct CycleCost {
-  ContactModel law = ContactModel::None;
+  std::string_view law{};               // its name
   std::vector<double> depths{};         // of the poses [m]
   std::vector<double> depth_medians{};  // of the whole cycle at each of them [us]
   bool touching = false;                // false: no pose of the press brings bodies together
   int active = 0;                       // (node, polygon) pairs at the deepest pose
   int cycles = 0;                       // that were timed
   long interruptions = 0;               // meanwhile, by other programs: they are in the slowest times
-  Spread deformation{};                 // by the probes alone: the same pose under the model `none`
+  Spread deformation{};                 // by the probes alone: the same cycle without contact
   Spread interaction{};                 // detection and contact: the rest of the cycle
   Spread total{};
   double limit = 0.0;           // median time to read the final contact set's compliance once [us]
@@ -44,9 +45,9 @@ struct CostOptions {
 };
 
 /// Presses to and fro over the poses and times each cycle, after one round to warm up. Each cycle is timed
-/// beside one under `none` at the same pose, and their difference is the interaction. The probes move a whole
-/// step from cycle to cycle, faster than a hand would at 1 kHz, so less is left from the cycle before.
-CycleCost measure_cycle(const Model& model, ContactModel law, const CostOptions& options);
+/// beside one without contact at the same pose, and their difference is the interaction. The probes move a
+/// whole step from cycle to cycle, faster than a hand would at 1 kHz, so less is left from the cycle before.
+CycleCost measure_cycle(const Model& model, const ContactLaw& law, const CostOptions& options);
 
 /// The compliance that the last cycle could not do without: of every node that carries load, the column of
 /// C_TT (what can touch must be moved by it); of every probe that presses, its own columns.
@@ -58,7 +59,7 @@ struct ContactSet {
   std::vector<Columns> columns{};
   std::size_t bytes = 0;
 };
-ContactSet final_contact_set(const Model& model, Pose pose, const Loads& loads);
+ContactSet final_contact_set(const Model& model, ProbeDisplacements probes, const Loads& loads);
 
 /// Reads all of it once. @return its sum, so that the reading is not optimised away
 double read_once(const ContactSet& set);

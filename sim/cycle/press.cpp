@@ -11,22 +11,19 @@
 namespace palpate::sim {
 namespace {
 
-std::vector<double> remaining_overlaps(const Model& model, const Scratch& scratch) {
-  FreeMotion motion = rest_motion(model);
-  for (std::size_t i = 0; i < motion.size(); ++i) {
-    motion[i].displacement = scratch.displacement(static_cast<int>(i));
-    motion[i].moved = true;
-  }
-  place(model, motion);
-  return deepest_overlaps(model, motion);
+std::vector<double> remaining_overlaps(const Model& model, const Simulation& simulation) {
+  const FreeMotion motion = simulation.motion();
+  Placement placement = rest_placement(model);
+  place(model, motion, placement);
+  return deepest_overlaps(model, motion, placement);
 }
 
 }  // namespace
 
-std::vector<ProbePose> pose_at_depth(const Model& model, double depth) {
-  std::vector<ProbePose> pose;
-  for (const Probe& probe : model.probes) pose.push_back({depth * probe.direction});
-  return pose;
+std::vector<ProbeDisplacement> displaced_by(const Model& model, double depth) {
+  std::vector<ProbeDisplacement> displacements;
+  for (const Probe& probe : model.probes) displacements.push_back({depth * probe.direction});
+  return displacements;
 }
 
 double normal_force(const Probe& probe, const Vec3& force_on_finger) {
@@ -42,22 +39,23 @@ void require_solved(const Press& press) {
 
 Press press(const Model& model, double depth, int steps) {
   assert(steps > 0);
-  Scratch scratch(model);
+  Simulation simulation(model);
   Press press;
   for (int i = 1; i <= steps; ++i) {
     PressStep step{.depth = depth * i / steps};
-    const std::vector<ProbePose> pose = pose_at_depth(model, step.depth);
+    const std::vector<ProbeDisplacement> probes = displaced_by(model, step.depth);
     const auto before = std::chrono::steady_clock::now();
-    const CycleResult result = cycle(model, {}, pose, scratch);
+    const CycleResult result = simulation.step(probes, kCyclePeriod);
     const std::chrono::duration<double, std::micro> taken = std::chrono::steady_clock::now() - before;
     step.cycle_us = taken.count();
     step.probe_forces.assign(result.probe_forces.begin(), result.probe_forces.end());
     step.pairs.assign(result.pairs.begin(), result.pairs.end());
-    step.penetration = remaining_overlaps(model, scratch);
+    step.pairs.resize(model.pairs.size());  // without a law that has anything to do, bodies do nothing
+    step.penetration = remaining_overlaps(model, simulation);
     step.solve = result.solve;
     press.curve.push_back(std::move(step));
   }
-  press.loads = scratch.loads();
+  press.loads = simulation.loads();
   return press;
 }
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "sim/cycle/cycle.hpp"
+#include "sim/cycle/simulation.hpp"
 
 namespace palpate::sim {
 
@@ -28,8 +28,8 @@ Press press(const Model& model, double depth, int steps);
 /// Throws std::runtime_error, with the depth and the reason, where a step could not be solved.
 void require_solved(const Press& press);
 
-/// The pose of a press: every probe at `depth` along its direction.
-std::vector<ProbePose> pose_at_depth(const Model& model, double depth);
+/// A press: every probe displaced by `depth` along its direction.
+std::vector<ProbeDisplacement> displaced_by(const Model& model, double depth);
 
 /// Force that resists the press: what the finger feels against its direction, positive when pushed back [N].
 double normal_force(const Probe& probe, const Vec3& force_on_finger);

@@ -3,35 +3,46 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
+#include <vector>
+
+#include "sim/effects/contact/contact.hpp"
+#include "sim/effects/later/later.hpp"
+#include "sim/scene/accepted.hpp"
 
 namespace palpate::sim {
-namespace {
 
-bool is_present(const Scene& scene, const std::string& name) {
-  return std::ranges::any_of(scene.bodies,
-                             [&](const BodySpec& body) { return body.name == name && body.present; });
+std::span<const Effect* const> effects() {
+  static const std::vector<const Effect*> all = [] {
+    std::vector<const Effect*> list{
+        &kContact,
+    };
+    const auto later = later_effects();
+    list.insert(list.end(), later.begin(), later.end());
+    return list;
+  }();
+  return all;
 }
 
-Effect contact(const Scene& scene) {
-  if (scene.contact.touch.empty()) return {"contact", false, "no pair of bodies in contact.touch"};
-  if (scene.contact.model == ContactModel::None) return {"contact", false, "contact.model = \"none\""};
-  std::string pairs;
-  for (const auto& pair : scene.contact.touch)
-    if (is_present(scene, pair[0]) && is_present(scene, pair[1]))
-      pairs += fmt::format("{}{} and {}", pairs.empty() ? "" : ", ", pair[0], pair[1]);
-  if (pairs.empty()) return {"contact", false, "of each pair in contact.touch one body is not present"};
-  return {"contact", true,
-          fmt::format("contact.model = \"{}\" between {}", to_string(scene.contact.model), pairs)};
+void refuse_combinations(const Scene& scene) {
+  for (const Effect* effect : effects()) {
+    if (effect->excludes.empty() || !effect->state(scene).on) continue;
+    for (const Effect* other : effects())
+      if (std::ranges::count(effect->excludes, other->name) > 0 && other->state(scene).on)
+        throw std::invalid_argument(fmt::format("{} ({}) cannot be combined with {} ({})", effect->name,
+                                                effect->state(scene).reason, other->name,
+                                                other->state(scene).reason));
+  }
 }
 
-}  // namespace
-
-std::vector<Effect> effects_of(const Scene& scene) {
-  return {contact(scene),
-          {"friction", false, "no contact.friction (not in this version)"},
-          {"viscosity", false, "no relaxation of a body (not in this version)"},
-          {"near-incompressibility", false, "no volumetric of a body (not in this version)"},
-          {"large deformation", false, "no key calls for it (not in this version)"}};
+std::span<const LaterKey> later_keys() {
+  static const std::vector<LaterKey> all = [] {
+    std::vector<LaterKey> keys;
+    for (const Effect* effect : effects())
+      keys.insert(keys.end(), effect->later.begin(), effect->later.end());
+    return keys;
+  }();
+  return all;
 }
 
 }  // namespace palpate::sim

@@ -14,7 +14,7 @@
 namespace palpate::sim {
 namespace {
 
-constexpr int kPoint = 15, kTetrahedron = 4;  // Gmsh's element types
+constexpr int kGmshPoint = 15, kGmshTetrahedron = 4;  // Gmsh's element types
 
 using Out = std::back_insert_iterator<fmt::memory_buffer>;
 
@@ -120,9 +120,9 @@ void write_elements(Out out, const TetMesh& mesh, const PointGroups& groups,
   fmt::format_to(out, "$Elements\n{} {} 1 {}\n", groups.of_node.size() + starts.size() - 1, count, count);
   std::size_t element = 1;
   for (int entity = 1; const auto& [node, physicals] : groups.of_node)
-    fmt::format_to(out, "0 {} {} 1\n{} {}\n", entity++, kPoint, element++, tags[node]);
+    fmt::format_to(out, "0 {} {} 1\n{} {}\n", entity++, kGmshPoint, element++, tags[node]);
   for (std::size_t run = 0; run + 1 < starts.size(); ++run) {
-    fmt::format_to(out, "3 {} {} {}\n", volume_of(mesh, starts[run]), kTetrahedron,
+    fmt::format_to(out, "3 {} {} {}\n", volume_of(mesh, starts[run]), kGmshTetrahedron,
                    starts[run + 1] - starts[run]);
     for (std::size_t t = starts[run]; t < starts[run + 1]; ++t) {
       fmt::format_to(out, "{}", element++);

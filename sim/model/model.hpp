@@ -16,6 +16,9 @@
 
 namespace palpate::sim {
 
+struct ContactLaw;
+struct ProbeKind;
+
 /// An elastic body as the haptic cycle sees it. Vectors over its touchable nodes have 3t entries, x y z of
 /// each.
 struct Body {
@@ -34,10 +37,11 @@ struct Body {
   std::vector<int> probes{};           // those that press this body, by index into Model::probes
 };
 
-/// What presses. A point holds one node; a pad holds the weighted mean of a footprint, and spreads its force
-/// with the same weights. While it presses (displacement . direction > 0) it prescribes W u = d.
+/// What presses: holds the weighted mean of its nodes, and spreads its force with the same weights. While it
+/// presses (displacement . direction > 0) it prescribes W u = d along its axes.
 struct Probe {
   std::string name{};
+  const ProbeKind* kind = nullptr;  // of the one list
   int body = 0;
   Vec3 direction = Vec3::UnitZ();  // unit length
   double depth = 0.0;              // default depth of a press [m]
@@ -57,10 +61,13 @@ struct TouchPair {
 /// A scene compiled: constant while the haptic loop runs, shared by threads.
 struct Model {
   std::string scene{};
-  ContactModel law = ContactModel::None;
-  std::vector<Body> bodies{};      // those present
-  std::vector<TouchPair> pairs{};  // those of present bodies
+  const ContactLaw* law = nullptr;  // of the one list; its name is the scene's contact.model
+  std::vector<Body> bodies{};       // those present
+  std::vector<TouchPair> pairs{};   // those of present bodies
   std::vector<Probe> probes{};
 };
+
+/// The same bodies and probes, and no body touches another.
+Model without_contact(Model model);
 
 }  // namespace palpate::sim

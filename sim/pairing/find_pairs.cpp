@@ -15,10 +15,9 @@ Vec3 area_vector(const Triangle& corners, const Eigen::Matrix3Xd& positions) {
 /// Normals of the polygons around a node, each weighted with its angle there. Source: [Baerentzen2005].
 Vec3 corner_normal(const TouchSurface& surface, const Eigen::Matrix3Xd& positions, int node) {
   Vec3 sum = Vec3::Zero();
-  const auto at = static_cast<std::size_t>(node);
-  for (int i = surface.incident_begin[at]; i < surface.incident_begin[at + 1]; ++i) {
+  for (int i = surface.incident_begin[node]; i < surface.incident_begin[node + 1]; ++i) {
     const Triangle& corners = surface.triangles[surface.incident[i]];
-    const auto k = static_cast<std::size_t>(std::ranges::find(corners, node) - corners.begin());
+    const auto k = std::ranges::find(corners, node) - corners.begin();
     const Vec3 here = positions.col(node);
     const Vec3 next = Vec3(positions.col(corners[(k + 1) % 3])) - here;
     const Vec3 last = Vec3(positions.col(corners[(k + 2) % 3])) - here;
@@ -31,8 +30,7 @@ Vec3 corner_normal(const TouchSurface& surface, const Eigen::Matrix3Xd& position
 /// Direction that tells inside from outside at a nearest point; zero where the patch ends, which decides
 /// nothing.
 Vec3 outward_at(const TouchSurface& surface, const Eigen::Matrix3Xd& positions, const NearestPolygon& found) {
-  const auto polygon = static_cast<std::size_t>(found.polygon);
-  const Triangle& corners = surface.triangles[polygon];
+  const Triangle& corners = surface.triangles[found.polygon];
   if (found.nearest.corner >= 0) {
     const int node = corners[found.nearest.corner];
     if (surface.rim[node]) return Vec3::Zero();
@@ -40,7 +38,7 @@ Vec3 outward_at(const TouchSurface& surface, const Eigen::Matrix3Xd& positions, 
   }
   Vec3 normal = area_vector(corners, positions).normalized();
   if (found.nearest.edge < 0) return normal;
-  const int beyond = surface.across[polygon][found.nearest.edge];
+  const int beyond = surface.across[found.polygon][found.nearest.edge];
   if (beyond < 0) return Vec3::Zero();
   return normal + area_vector(surface.triangles[beyond], positions).normalized();
 }
@@ -49,24 +47,25 @@ struct Side {
   int body = 0;
   const Body& shape;
   const BodyMotion& motion;
+  const PlacedBody& placed;
 };
 
 void find_colliding_nodes(const Side& nodes, const Side& polygons, int touch_pair, Pairs& pairs) {
   const TouchSurface& surface = polygons.shape.polygons;
-  const AabbTree& tree = polygons.motion.moved ? polygons.motion.tree : polygons.shape.tree;
+  const AabbTree& tree = polygons.placed.moved ? polygons.placed.tree : polygons.shape.tree;
   if (tree.nodes.empty()) return;
   if (!nodes.motion.moved && !polygons.motion.moved) return;
   for (const int node : nodes.shape.colliding_nodes) {
-    const Vec3 position = nodes.motion.positions.col(node);
+    const Vec3 position = nodes.placed.positions.col(node);
     const double moved = nodes.motion.displacement.segment<3>(3 * node).norm();
     const NearestPolygon found =
-        find_nearest(tree, surface.triangles, polygons.motion.positions, position, moved);
+        find_nearest(tree, surface.triangles, polygons.placed.positions, position, moved);
     if (found.polygon < 0) continue;
-    const Vec3 outward = outward_at(surface, polygons.motion.positions, found);
+    const Vec3 outward = outward_at(surface, polygons.placed.positions, found);
     if (!((position - found.nearest.point).dot(outward) < 0.0)) continue;
     const Triangle& corners = surface.triangles[found.polygon];
-    const Vec3 normal = area_vector(corners, polygons.motion.positions).normalized();
-    const double depth = (Vec3(polygons.motion.positions.col(corners[0])) - position).dot(normal);
+    const Vec3 normal = area_vector(corners, polygons.placed.positions).normalized();
+    const double depth = (Vec3(polygons.placed.positions.col(corners[0])) - position).dot(normal);
     if (!(depth > 0.0)) continue;
     pairs.push_back({touch_pair, nodes.body, node, polygons.body, found.polygon, depth, normal});
   }
@@ -74,23 +73,26 @@ void find_colliding_nodes(const Side& nodes, const Side& polygons, int touch_pai
 
 }  // namespace
 
-FreeMotion rest_motion(const Model& model) {
-  FreeMotion motion;
+Placement rest_placement(const Model& model) {
+  Placement placement;
   for (const Body& body : model.bodies)
-    motion.push_back({.displacement = Eigen::VectorXd::Zero(3 * body.rest.cols()),
-                      .positions = body.rest,
-                      .tree = body.tree,
-                      .moved = false});
-  return motion;
+    placement.push_back({.positions = body.rest, .tree = body.tree, .moved = false});
+  return placement;
 }
 
-void place(const Model& model, FreeMotion& motion) {
+void place(const Model& model, const FreeMotion& motion, Placement& placement) {
   for (std::size_t i = 0; i < motion.size(); ++i) {
-    BodyMotion& body = motion[i];
-    if (!body.moved) continue;
-    const Eigen::Map<const Eigen::Matrix3Xd> displacement(body.displacement.data(), 3, body.positions.cols());
-    body.positions = model.bodies[i].rest + displacement;
-    refit(body.tree, model.bodies[i].polygons.triangles, body.positions, displacement);
+    const Body& body = model.bodies[i];
+    PlacedBody& placed = placement[i];
+    const bool was_moved = placed.moved;
+    placed.moved = motion[i].moved;
+    if (!placed.moved) {  // whatever the cycle before has left
+      if (was_moved) placed.positions = body.rest;
+      continue;
+    }
+    const Eigen::Map<const Eigen::Matrix3Xd> displacement(motion[i].displacement.data(), 3, body.rest.cols());
+    placed.positions = body.rest + displacement;
+    refit(placed.tree, body.polygons.triangles, placed.positions, displacement);
   }
 }
 
@@ -101,24 +103,24 @@ std::size_t most_pairs(const Model& model) {
   return most;
 }
 
-void find_pairs(const Model& model, const FreeMotion& motion, Pairs& pairs) {
+void find_pairs(const Model& model, const FreeMotion& motion, const Placement& placement, Pairs& pairs) {
   pairs.clear();
-  for (std::size_t p = 0; p < model.pairs.size(); ++p) {
-    const auto [first, second] = model.pairs[p].bodies;
-    const auto a = static_cast<std::size_t>(first), b = static_cast<std::size_t>(second);
-    const Side side_a{first, model.bodies[a], motion[a]}, side_b{second, model.bodies[b], motion[b]};
-    find_colliding_nodes(side_a, side_b, static_cast<int>(p), pairs);
-    find_colliding_nodes(side_b, side_a, static_cast<int>(p), pairs);
+  const auto side = [&](int body) { return Side{body, model.bodies[body], motion[body], placement[body]}; };
+  for (int p = 0; p < std::ssize(model.pairs); ++p) {
+    const auto [a, b] = model.pairs[p].bodies;
+    find_colliding_nodes(side(a), side(b), p, pairs);
+    find_colliding_nodes(side(b), side(a), p, pairs);
   }
 }
 
-Vec3 polygon_normal(const Body& body, const BodyMotion& motion, int polygon) {
-  return area_vector(body.polygons.triangles[polygon], motion.positions).normalized();
+Vec3 polygon_normal(const Body& body, const PlacedBody& placed, int polygon) {
+  return area_vector(body.polygons.triangles[polygon], placed.positions).normalized();
 }
 
-std::vector<double> deepest_overlaps(const Model& model, const FreeMotion& motion) {
+std::vector<double> deepest_overlaps(const Model& model, const FreeMotion& motion,
+                                     const Placement& placement) {
   Pairs pairs;
-  find_pairs(model, motion, pairs);
+  find_pairs(model, motion, placement, pairs);
   std::vector<double> deepest(model.pairs.size(), 0.0);
   for (const CollidingPair& pair : pairs) {
     double& depth = deepest[pair.touch_pair];

@@ -2,18 +2,18 @@
 
 #include <vector>
 
+#include "sim/model/free_state.hpp"
 #include "sim/model/model.hpp"
 
 namespace palpate::sim {
 
-/// Where the touchable nodes of each body are before the bodies act on each other.
-struct BodyMotion {
-  Eigen::VectorXd displacement{};  // 3t [m]
-  Eigen::Matrix3Xd positions{};    // rest + displacement, 3 x t [m]
-  AabbTree tree{};                 // over the polygons where they are now
-  bool moved = false;              // false: at rest, and the tree with it
+/// The polygons of a body where its motion has brought them.
+struct PlacedBody {
+  Eigen::Matrix3Xd positions{};  // of the touchable nodes: rest + displacement, 3 x t [m]
+  AabbTree tree{};               // over the polygons there
+  bool moved = false;            // false: at rest, and the body's own tree holds
 };
-using FreeMotion = std::vector<BodyMotion>;  // one a body
+using Placement = std::vector<PlacedBody>;  // one a body
 
 /// A node of one body that has passed a polygon of another.
 struct CollidingPair {
@@ -25,11 +25,11 @@ struct CollidingPair {
 };
 using Pairs = std::vector<CollidingPair>;
 
-/// A motion of bodies at rest, with room for all that the cycle will write.
-FreeMotion rest_motion(const Model& model);
+/// The bodies at rest, with room for all that place() will write.
+Placement rest_placement(const Model& model);
 
-/// Sets positions and trees from the displacements of the bodies that moved.
-void place(const Model& model, FreeMotion& motion);
+/// Sets positions and trees from the displacements of the bodies that moved; the others are at rest.
+void place(const Model& model, const FreeMotion& motion, Placement& placement);
 
 /// Largest number of pairs that find_pairs can return.
 std::size_t most_pairs(const Model& model);
@@ -41,12 +41,13 @@ std::size_t most_pairs(const Model& model);
 /// hand. Bodies are apart at rest (compile() sees to it). Order: touch pairs as in the model; the nodes of
 /// its first body, then of its second, ascending. `pairs` keeps its capacity: no allocation once it holds
 /// most_pairs(model).
-void find_pairs(const Model& model, const FreeMotion& motion, Pairs& pairs);
+void find_pairs(const Model& model, const FreeMotion& motion, const Placement& placement, Pairs& pairs);
 
 /// Outward unit normal of a polygon.
-Vec3 polygon_normal(const Body& body, const BodyMotion& motion, int polygon);
+Vec3 polygon_normal(const Body& body, const PlacedBody& placed, int polygon);
 
 /// Deepest overlap of each pair of bodies that may touch [m], 0 where there is none. Outside the cycle.
-std::vector<double> deepest_overlaps(const Model& model, const FreeMotion& motion);
+std::vector<double> deepest_overlaps(const Model& model, const FreeMotion& motion,
+                                     const Placement& placement);
 
 }  // namespace palpate::sim

@@ -1,12 +1,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "base/text/quantity.hpp"
 #include "base/text/toml_reader.hpp"
+#include "sim/scene/accepted.hpp"
 #include "sim/scene/scene.hpp"
 
 namespace palpate::sim {
@@ -91,9 +93,22 @@ Material read_material(base::TomlReader& reader, double default_poisson) {
   return material;
 }
 
-void refuse_later_effect(base::TomlReader& reader, std::string_view key, std::string_view effect) {
-  if (reader.has(key))
-    reader.refuse(key, fmt::format("calls for {}, which this version does not simulate", effect));
+/// @param table  of the scene, as LaterKey names it
+void refuse_later_keys(base::TomlReader& reader, std::string_view table) {
+  for (const LaterKey& later : later_keys())
+    if (later.table == table && reader.has(later.key))
+      reader.refuse(later.key,
+                    fmt::format("calls for {}, which this version does not simulate", later.calls_for));
+}
+
+std::string read_word(base::TomlReader& reader, std::string_view key, const AcceptedWords& words) {
+  std::string word = reader.required_text(key);
+  if (std::ranges::count(words.later, word) > 0)
+    reader.refuse(
+        key, fmt::format("\"{}\" is not in this version; accepted: {}", word, fmt::join(words.now, ", ")));
+  if (std::ranges::count(words.now, word) == 0)
+    reader.refuse(key, fmt::format("found \"{}\", accepted: {}", word, fmt::join(words.now, ", ")));
+  return word;
 }
 
 BodySpec read_body(base::TomlReader& reader, const std::string& name, const std::filesystem::path& folder) {
@@ -122,8 +137,7 @@ BodySpec read_body(base::TomlReader& reader, const std::string& name, const std:
   body.scale = reader.number("scale").value_or(1.0);
   body.rotate = to_vec3(reader.vector_quantity("rotate", base::Dimension::Angle).value_or(base::Triple{}));
   body.offset = to_vec3(reader.vector_quantity("offset", base::Dimension::Length).value_or(base::Triple{}));
-  refuse_later_effect(reader, "volumetric", "the near-incompressible treatment");
-  refuse_later_effect(reader, "relaxation", "viscosity");
+  refuse_later_keys(reader, "bodies");
   reader.refuse_unknown();
   return body;
 }
@@ -138,31 +152,31 @@ ContactSpec read_contact(base::TomlReader& reader) {
       reader.refuse("touch", "accepted: pairs of bodies such as [[\"rectum\", \"prostate\"]]");
     contact.touch.push_back({*(*pair)[0].value<std::string>(), *(*pair)[1].value<std::string>()});
   }
-  const std::string model = reader.required_text("model");
-  try {
-    contact.model = contact_model_from(model);
-  } catch (const std::invalid_argument& error) {
-    reader.refuse("model", error.what());
-  }
-  refuse_later_effect(reader, "friction", "friction");
-  refuse_later_effect(reader, "pairing", "a choice of pairing (contact model exact)");
+  contact.model = read_word(reader, "model", contact_model_words());
+  refuse_later_keys(reader, "contact");
   reader.refuse_unknown();
   return contact;
 }
 
-ProbeKind read_kind(base::TomlReader& reader) {
-  const std::string kind = reader.required_text("kind");
-  if (kind == "point") return ProbeKind::Point;
-  if (kind == "pad") return ProbeKind::Pad;
-  if (kind == "fingertip" || kind == "region")
-    reader.refuse("kind", fmt::format("\"{}\" is not in this version; accepted: point, pad", kind));
-  reader.refuse("kind", fmt::format("found \"{}\", accepted: point, pad", kind));
+/// A radius where the probe's kind takes one.
+double read_radius(base::TomlReader& reader, const std::string& kind_name) {
+  const std::span<const ProbeKindKeys> kinds = probe_kind_keys();
+  const ProbeKindKeys& kind = *std::ranges::find(kinds, kind_name, &ProbeKindKeys::name);
+  const double radius = reader.quantity("radius", base::Dimension::Length).value_or(0.0);
+  if (kind.takes_radius == (radius > 0.0)) return radius;
+  if (kind.takes_radius)
+    reader.refuse("radius", fmt::format("a {} needs a radius > 0, such as \"6 mm\"", kind.name));
+  std::vector<std::string_view> with_radius;
+  for (const ProbeKindKeys& other : kinds)
+    if (other.takes_radius) with_radius.push_back(other.name);
+  reader.refuse("radius", fmt::format("a {} has no radius; kind = \"{}\" has one", kind.name,
+                                      fmt::join(with_radius, "\" or \"")));
 }
 
 ProbeSpec read_probe(base::TomlReader& reader, const std::string& name) {
   ProbeSpec probe{.name = name};
   probe.body = reader.required_text("body");
-  probe.kind = read_kind(reader);
+  probe.kind = read_word(reader, "kind", probe_kind_words());
   const auto node = reader.integer("node");
   const auto at = reader.vector_quantity("at", base::Dimension::Length);
   if (node.has_value() == at.has_value())
@@ -178,14 +192,13 @@ ProbeSpec read_probe(base::TomlReader& reader, const std::string& name) {
     reader.refuse("direction", "has no length; accepted: three numbers, not all 0");
   probe.direction.stableNormalize();
   probe.depth = reader.required_quantity("depth", base::Dimension::Length, "\"5 mm\"");
-  probe.radius = reader.quantity("radius", base::Dimension::Length).value_or(0.0);
-  if ((probe.kind == ProbeKind::Pad) != (probe.radius > 0.0))
-    reader.refuse("radius", probe.kind == ProbeKind::Pad ? "a pad needs a radius > 0, such as \"6 mm\""
-                                                         : "a point has no radius; kind = \"pad\" has one");
+  probe.radius = read_radius(reader, probe.kind);
   const std::string tangential = reader.text("tangential").value_or("held");
-  if (tangential != "held" && tangential != "free")
-    reader.refuse("tangential", fmt::format("found \"{}\", accepted: held, free", tangential));
-  probe.tangential = tangential == "held" ? Tangential::Held : Tangential::Free;
+  const auto known = base::value_of(kTangentialWords, tangential);
+  if (!known)
+    reader.refuse("tangential", fmt::format("found \"{}\", accepted: {}", tangential,
+                                            base::accepted_words(kTangentialWords)));
+  probe.tangential = *known;
   reader.refuse_unknown();
   return probe;
 }
@@ -208,10 +221,7 @@ Scene load_scene(const std::filesystem::path& file, std::span<const Override> ov
     auto body = bodies.table(name);
     scene.bodies.push_back(read_body(*body, name, file.parent_path()));
   }
-  if (auto contact = reader.table("contact"))
-    scene.contact = read_contact(*contact);
-  else
-    scene.contact.model = ContactModel::None;
+  if (auto contact = reader.table("contact")) scene.contact = read_contact(*contact);
   base::TomlReader probes = required_table(reader, "probes", "accepted: one table [probes.NAME] a probe");
   for (const std::string& name : probes.keys()) {
     auto probe = probes.table(name);

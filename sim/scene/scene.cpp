@@ -76,24 +76,4 @@ void validate(const Scene& scene) {
   }
 }
 
-std::string_view to_string(ContactModel model) {
-  switch (model) {
-    case ContactModel::None:
-      return "none";
-    case ContactModel::Sibille:
-      return "sibille";
-    case ContactModel::Kuroda:
-      return "kuroda";
-  }
-  return "";
-}
-
-ContactModel contact_model_from(std::string_view name) {
-  for (const ContactModel model : {ContactModel::None, ContactModel::Sibille, ContactModel::Kuroda})
-    if (to_string(model) == name) return model;
-  if (name == "exact")
-    throw std::invalid_argument("\"exact\" is not in this version; accepted: none, sibille, kuroda");
-  throw std::invalid_argument(fmt::format("found \"{}\", accepted: none, sibille, kuroda", name));
-}
-
 }  // namespace palpate::sim

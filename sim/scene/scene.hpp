@@ -6,9 +6,11 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
+#include "base/text/enum_words.hpp"
 #include "sim/elasticity/stiffness.hpp"
 #include "sim/mesh/tet_mesh.hpp"
 
@@ -39,24 +41,27 @@ struct BodySpec {
   bool operator==(const BodySpec&) const = default;
 };
 
-enum class ContactModel { None, Sibille, Kuroda };
+/// The contact model of a scene that has no contact table.
+inline constexpr std::string_view kNoContact = "none";
 
 struct ContactSpec {
   std::vector<std::array<std::string, 2>> touch{};  // which bodies may touch
-  ContactModel model = ContactModel::Kuroda;
+  std::string model{kNoContact};                    // a name that contact_model_words() lists
 
   bool operator==(const ContactSpec&) const = default;
 };
 
-enum class ProbeKind { Point, Pad };
+/// Whether a probe holds what it presses across its direction, too.
 enum class Tangential { Held, Free };
+inline constexpr base::EnumWords<Tangential, 2> kTangentialWords{
+    {{Tangential::Held, "held"}, {Tangential::Free, "free"}}};
 
 struct ProbeSpec {
   std::string name{};
   std::string body{};
-  ProbeKind kind = ProbeKind::Point;
-  std::variant<Vec3, std::int64_t> at =
-      Vec3(Vec3::Zero());          // a place [m], or a node's number in the mesh file
+  std::string kind{};  // a name that probe_kind_words() lists
+  /// A place [m], or a node's number in the mesh file.
+  std::variant<Vec3, std::int64_t> at = Vec3(Vec3::Zero());
   Vec3 direction = Vec3::UnitZ();  // of the press, unit length
   double depth = 0.0;              // default depth of a press [m]
   double radius = 0.0;             // of a pad [m]
@@ -91,9 +96,5 @@ Scene load_scene(const std::filesystem::path& file, std::span<const Override> ov
 
 /// Throws std::invalid_argument for a value out of bounds or a reference to what does not exist.
 void validate(const Scene& scene);
-
-std::string_view to_string(ContactModel model);
-ContactModel contact_model_from(
-    std::string_view name);  // throws std::invalid_argument, lists what is accepted
 
 }  // namespace palpate::sim

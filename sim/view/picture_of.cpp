@@ -17,8 +17,7 @@ constexpr Colour kSkin{0.91F, 0.74F, 0.64F};
 constexpr float kTranslucent = 0.28F;
 
 DrawnBody drawn_body(const Model& model, int index, const Loads& loads) {
-  const auto at = static_cast<std::size_t>(index);
-  const Body& body = model.bodies[at];
+  const Body& body = model.bodies[index];
   DrawnBody drawn{.name = body.name, .triangles = body.surface->triangles};
   drawn.positions.resize(3, static_cast<Eigen::Index>(body.mesh->nodes.size()));
   Eigen::Index node = 0;
@@ -29,22 +28,22 @@ DrawnBody drawn_body(const Model& model, int index, const Loads& loads) {
     drawn.positions.col(moved) += u.segment<3>(entry);
     entry += 3;
   }
-  drawn.colour = kTissues[at % kTissues.size()];
+  drawn.colour = kTissues[index % std::ssize(kTissues)];
   drawn.opacity = !body.probes.empty() && model.bodies.size() > 1 ? kTranslucent : 1.0F;
   return drawn;
 }
 
 }  // namespace
 
-Picture picture_of(const Model& model, const Stage& stage, const Loads& loads, Pose pose) {
-  assert(pose.size() == model.probes.size() && stage.probes.size() == model.probes.size());
+Picture picture_of(const Model& model, const Stage& stage, const Loads& loads, ProbeDisplacements probes) {
+  assert(probes.size() == model.probes.size() && stage.probes.size() == model.probes.size());
   Picture picture{.camera = stage.camera, .scale_bar = stage.scale_bar};
   for (int body = 0; body < static_cast<int>(model.bodies.size()); ++body)
     picture.bodies.push_back(drawn_body(model, body, loads));
   for (std::size_t i = 0; i < model.probes.size(); ++i) {
     const Probe& probe = model.probes[i];
     const ProbeShape& shape = stage.probes[i];
-    picture.probes.push_back({.touch = probe.at + pose[i].displacement,
+    picture.probes.push_back({.touch = probe.at + probes[i].from_rest,
                               .direction = probe.direction,
                               .shaft = shape.shaft,
                               .radius = shape.radius,

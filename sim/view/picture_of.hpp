@@ -2,7 +2,8 @@
 
 #include <vector>
 
-#include "sim/cycle/cycle.hpp"
+#include "sim/model/free_state.hpp"
+#include "sim/model/loads.hpp"
 #include "sim/model/model.hpp"
 #include "sim/view/picture.hpp"
 
@@ -17,8 +18,8 @@ struct ProbeShape {
 
 /// What stays the same in all pictures of a model, so that they can be compared and put in a row.
 struct Stage {
-  Camera
-      camera{};  // frames the bodies at rest; looks across the press and, from above, along the first shaft
+  /// Frames the bodies at rest; looks across the press and, from above, along the first shaft.
+  Camera camera{};
   std::vector<ProbeShape> probes{};  // in the model's order
   double scale_bar = 0.0;            // a round length, about an eighth of the picture's width [m]
 };
@@ -26,8 +27,8 @@ struct Stage {
 /// @param aspect  width of the pictures over their height
 Stage set_stage(const Model& model, double aspect);
 
-/// The bodies deformed by the loads of a cycle, and the probes where the pose holds them. A body that is
+/// The bodies deformed by the loads of a cycle, and the probes where they are. A body that is
 /// pressed by a probe while there are others is translucent, for the others lie behind it.
-Picture picture_of(const Model& model, const Stage& stage, const Loads& loads, Pose pose);
+Picture picture_of(const Model& model, const Stage& stage, const Loads& loads, ProbeDisplacements probes);
 
 }  // namespace palpate::sim

@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "sim/compile/compile.hpp"
 #include "sim/compliance/cache.hpp"
+#include "sim/contact/laws.hpp"
 #include "sim/cost/cycle_cost.hpp"
 #include "sim/cycle/press.hpp"
 #include "sim/pairing/find_pairs.hpp"
@@ -19,10 +22,10 @@ constexpr double kDepth = 5e-3;         // [m], as the paper presses
 constexpr double kFirstDepth = 2.5e-3;  // from here on the bodies touch; checked by compiled_scene()
 constexpr int kPoses = 32;
 
-std::vector<std::vector<ProbePose>> poses(const Model& model) {
-  std::vector<std::vector<ProbePose>> all;
+std::vector<std::vector<ProbeDisplacement>> poses(const Model& model) {
+  std::vector<std::vector<ProbeDisplacement>> all;
   for (int i = 0; i < kPoses; ++i)
-    all.push_back(pose_at_depth(model, kFirstDepth + (kDepth - kFirstDepth) * i / (kPoses - 1)));
+    all.push_back(displaced_by(model, kFirstDepth + (kDepth - kFirstDepth) * i / (kPoses - 1)));
   for (int i = kPoses - 2; i > 0; --i) all.push_back(all[i]);  // and back
   return all;
 }
@@ -36,9 +39,9 @@ const Model& table1() {
   return model;
 }
 
-Model under(ContactModel law) {
+Model under(const char* law) {
   Model model = table1();
-  model.law = law;
+  model.law = &contact_law(law);
   return model;
 }
 
@@ -48,71 +51,66 @@ int active_pairs(const CycleResult& result) {
   return active;
 }
 
-/// Positions of the bodies moved by the probes alone.
-FreeMotion free_motion_at(const Model& model, Pose pose) {
-  Model alone = model;
-  alone.law = ContactModel::None;
-  Scratch scratch(alone);
-  cycle(alone, {}, pose, scratch);
-  FreeMotion motion = rest_motion(model);
-  for (std::size_t i = 0; i < motion.size(); ++i) {
-    motion[i].displacement = scratch.displacement(static_cast<int>(i));
-    motion[i].moved = std::ranges::any_of(motion[i].displacement, [](double u) { return u != 0.0; });
-  }
-  return motion;
+/// The bodies moved by the probes alone.
+FreeMotion free_motion_at(const Model& model, ProbeDisplacements probes) {
+  const Model alone = without_contact(model);
+  Simulation simulation(alone);
+  simulation.step(probes, kCyclePeriod);
+  return simulation.free_state().motion;
 }
 
-void whole_cycle(benchmark::State& state, ContactModel law) {
+void whole_cycle(benchmark::State& state, const char* law) {
   const Model model = under(law);
   const auto all = poses(model);
-  Scratch scratch(model);
-  if (law != ContactModel::None && active_pairs(cycle(model, {}, all.front(), scratch)) == 0) {
+  Simulation simulation(model);
+  if (std::string_view(law) != "none" && active_pairs(simulation.step(all.front(), kCyclePeriod)) == 0) {
     state.SkipWithError("the bodies do not touch at the shallowest pose");
     return;
   }
   std::size_t at = 0;
   int active = 0;
   for (auto _ : state) {
-    const CycleResult result = cycle(model, {}, all[at], scratch);
+    const CycleResult result = simulation.step(all[at], kCyclePeriod);
     benchmark::DoNotOptimize(result.probe_forces.data());
     active = std::max(active, active_pairs(result));
     at = at + 1 == all.size() ? 0 : at + 1;
   }
   state.counters["pairs"] = active;
 }
-BENCHMARK_CAPTURE(whole_cycle, none, ContactModel::None)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(whole_cycle, sibille, ContactModel::Sibille)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(whole_cycle, kuroda, ContactModel::Kuroda)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(whole_cycle, none, "none")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(whole_cycle, sibille, "sibille")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(whole_cycle, kuroda, "kuroda")->Unit(benchmark::kMicrosecond);
 
 void detection(benchmark::State& state) {
   const Model& model = table1();
-  FreeMotion motion = free_motion_at(model, pose_at_depth(model, kDepth));
+  const FreeMotion motion = free_motion_at(model, displaced_by(model, kDepth));
+  Placement placement = rest_placement(model);
   Pairs pairs;
   pairs.reserve(most_pairs(model));
   for (auto _ : state) {
     pairs.clear();
-    place(model, motion);
-    find_pairs(model, motion, pairs);
+    place(model, motion, placement);
+    find_pairs(model, motion, placement, pairs);
     benchmark::DoNotOptimize(pairs.data());
   }
   state.counters["pairs"] = static_cast<double>(pairs.size());
 }
 BENCHMARK(detection)->Unit(benchmark::kMicrosecond);
 
-void limit_compliance_read_once(benchmark::State& state, ContactModel law) {
+void limit_compliance_read_once(benchmark::State& state, const char* law) {
   const Model model = under(law);
-  const std::vector<ProbePose> pose = pose_at_depth(model, kDepth);
-  Scratch scratch(model);
-  cycle(model, {}, pose, scratch);
-  const ContactSet set = final_contact_set(model, pose, scratch.loads());
+  const std::vector<ProbeDisplacement> pose = displaced_by(model, kDepth);
+  Simulation simulation(model);
+  simulation.step(pose, kCyclePeriod);
+  const ContactSet set = final_contact_set(model, pose, simulation.loads());
   for (auto _ : state) {
     benchmark::DoNotOptimize(read_once(set));
     benchmark::ClobberMemory();
   }
   state.counters["kB"] = 1e-3 * static_cast<double>(set.bytes);
 }
-BENCHMARK_CAPTURE(limit_compliance_read_once, sibille, ContactModel::Sibille)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(limit_compliance_read_once, kuroda, ContactModel::Kuroda)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(limit_compliance_read_once, sibille, "sibille")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(limit_compliance_read_once, kuroda, "kuroda")->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace palpate::sim

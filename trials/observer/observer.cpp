@@ -71,16 +71,15 @@ std::vector<sim::Vec3> plan_press(const Observer& observer, const sim::Vec3& dir
   return path;
 }
 
-IntervalRecord drive(const sim::Model& model, sim::Scratch& scratch, const std::vector<sim::Vec3>& path,
+IntervalRecord drive(const sim::Model& model, sim::Simulation& simulation, const std::vector<sim::Vec3>& path,
                      const Device& device) {
-  const sim::Memory memory;
   const sim::Vec3 direction = model.probes.front().direction;
-  std::vector<sim::ProbePose> pose(model.probes.size());  // the other probes stay where they rest
+  std::vector<sim::ProbeDisplacement> probes(model.probes.size());  // the other probes stay where they rest
   IntervalRecord record{.trace = Trace(path.size())};
   std::size_t clamped = 0;
   for (std::size_t i = 0; i < path.size(); ++i) {
-    pose.front().displacement = path[i];
-    const sim::CycleResult result = sim::cycle(model, memory, pose, scratch);
+    probes.front().from_rest = path[i];
+    const sim::CycleResult result = simulation.step(probes, 1 / kObserverRate);
     sim::Vec3 force = device.force_scale * result.probe_forces.front();
     const double magnitude = force.norm();
     if (magnitude > device.max_force) {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/cycle/cycle.hpp"
+#include "sim/cycle/simulation.hpp"
 #include "trials/plan/random.hpp"
 #include "trials/trace/trace.hpp"
 
@@ -81,7 +81,7 @@ constexpr double kObserverRate = 1000;  // [Hz]
 std::vector<sim::Vec3> plan_press(const Observer& observer, const sim::Vec3& direction, Generator& generator);
 
 /// Moves the model's first probe along `path`, cycle by cycle, and gives the force back as the device would.
-IntervalRecord drive(const sim::Model& model, sim::Scratch& scratch, const std::vector<sim::Vec3>& path,
+IntervalRecord drive(const sim::Model& model, sim::Simulation& simulation, const std::vector<sim::Vec3>& path,
                      const Device& device);
 
 /// How stiff the interval felt: logarithm of the least-squares slope of noisy force over noisy depth, with

@@ -131,10 +131,10 @@ SimulatedTrial play(const Protocol& protocol, const Stimuli& stimuli, const Obse
   std::vector<std::optional<double>> percepts;
   for (const std::size_t condition : drawn.trial.interval_condition) {
     const sim::Model& model = *stimuli.at(stimulus_index(protocol, drawn.trial.cell, condition));
-    sim::Scratch scratch(model);
+    sim::Simulation simulation(model);
     for (int attempt = 1;; ++attempt) {
       const auto path = plan_press(observer, model.probes.front().direction, hand);
-      trial.presentations.push_back(drive(model, scratch, path, observer.parameters->device));
+      trial.presentations.push_back(drive(model, simulation, path, observer.parameters->device));
       if (judge(summarise(trial.presentations.back().trace), protocol.exploration) == Verdict::Enough) break;
       if (attempt == kMostAttempts)
         throw std::invalid_argument(fmt::format(
@@ -191,9 +191,9 @@ void check_clamping(const Protocol& protocol, const Stimuli& stimuli, const Obse
     double weakest = std::numeric_limits<double>::infinity();
     for (const std::size_t condition : protocol.presented) {
       const sim::Model& model = *stimuli.at(stimulus_index(protocol, cell, condition));
-      sim::Scratch scratch(model);
+      sim::Simulation simulation(model);
       const std::vector<sim::Vec3> pressed{observer.depth.mean * model.probes.front().direction};
-      const IntervalRecord record = drive(model, scratch, pressed, {.force_scale = device.force_scale});
+      const IntervalRecord record = drive(model, simulation, pressed, {.force_scale = device.force_scale});
       weakest = std::min(weakest, summarise(record.trace).peak_force);
     }
     if (weakest > device.max_force)

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "analysis/binomial/to_json.hpp"
 #include "analysis/description/phrases.hpp"
 #include "analysis/numerics/to_json.hpp"
 #include "analysis/statistics/randomisation/order_randomisation.hpp"

@@ -24,6 +24,7 @@
 #include "sim/cycle/press.hpp"
 #include "sim/effects/effects.hpp"
 #include "sim/mesh/quality.hpp"
+#include "sim/model/probe_kind.hpp"
 #include "trials/protocol/protocol.hpp"
 #include "trials/protocol/stimuli.hpp"
 
@@ -42,12 +43,12 @@ struct CheckOptions {
 
 /// Median time of a cycle at full depth [microseconds], over cycles enough for a stable median.
 double median_cycle_us(const sim::Model& model) {
-  sim::Scratch scratch(model);
-  const auto pose = sim::pose_at_depth(model, model.probes.front().depth);
+  sim::Simulation simulation(model);
+  const auto probes = sim::displaced_by(model, model.probes.front().depth);
   std::vector<double> times;
   for (int i = 0; i < 2000; ++i) {
     const auto before = std::chrono::steady_clock::now();
-    sim::cycle(model, {}, pose, scratch);
+    simulation.step(probes, sim::kCyclePeriod);
     times.push_back(
         std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - before).count());
   }
@@ -64,16 +65,21 @@ struct BodyCheck {
 constexpr double kLocking = 0.45;     // Poisson's ratio from which on locking shows
 constexpr std::size_t kPadNodes = 3;  // fewer are no area
 
+struct EffectCheck {
+  std::string_view name;
+  sim::EffectState state{};
+  double cycle_us = 0.0;  // what it adds to a cycle
+};
+
 struct SceneCheck {
   std::string name;
   std::vector<BodyCheck> bodies{};
-  std::vector<sim::Effect> effects{};
-  double deformation_us = 0.0;  // a cycle without contact
-  double contact_us = 0.0;      // what contact adds
+  std::vector<EffectCheck> effects{};
+  double deformation_us = 0.0;  // a cycle without any effect
 };
 
 /// What can be computed and will mislead.
-void add_warnings(const sim::Scene& scene, const sim::Model& model, std::vector<BodyCheck>& checks) {
+void add_warnings(const sim::Model& model, std::vector<BodyCheck>& checks) {
   for (std::size_t i = 0; i < checks.size(); ++i) {
     sim::MeshQuality& quality = checks[i].quality;
     for (const sim::Material& material : model.bodies[i].materials)
@@ -85,17 +91,17 @@ void add_warnings(const sim::Scene& scene, const sim::Model& model, std::vector<
         break;
       }
     const double size = (quality.upper - quality.lower).norm();
-    for (const int at : model.bodies[i].probes) {
-      const auto probe = static_cast<std::size_t>(at);
+    for (const int probe : model.bodies[i].probes) {
       const sim::Probe& finger = model.probes[probe];
       if (finger.depth > size)
         quality.warnings.push_back(fmt::format("probes.{} presses {:g} mm deep into a body {:g} mm across",
                                                finger.name, 1e3 * finger.depth, 1e3 * size));
-      if (scene.probes[probe].kind == sim::ProbeKind::Pad && finger.nodes.size() < kPadNodes)
+      if (finger.kind->keys.takes_radius && finger.nodes.size() < kPadNodes)
         quality.warnings.push_back(fmt::format(
-            "probes.{}: its radius reaches no more than {} of the mesh, so that the pad acts as a "
+            "probes.{}: its radius reaches no more than {} of the mesh, so that the {} acts as a "
             "point; accepted without warning: a radius of two edges or more",
-            finger.name, analysis::counted(static_cast<long>(finger.nodes.size()), "node", "nodes")));
+            finger.name, analysis::counted(static_cast<long>(finger.nodes.size()), "node", "nodes"),
+            finger.kind->keys.name));
     }
   }
 }
@@ -103,23 +109,25 @@ void add_warnings(const sim::Scene& scene, const sim::Model& model, std::vector<
 SceneCheck check_scene(const SceneOptions& input) {
   const sim::Scene scene = load_scene(input);
   sim::ComplianceCache cache = user_cache();
-  sim::Model model = sim::compile(scene, cache);
+  const sim::Model model = sim::compile(scene, cache);
   sim::require_solved(sim::press(model, model.probes.front().depth, 1));
-  SceneCheck check{.name = scene.name, .effects = sim::effects_of(scene)};
+  SceneCheck check{.name = scene.name};
   for (const sim::Body& body : model.bodies)
     check.bodies.push_back(
         {body.name, sim::measure_quality(*body.mesh), body.fixed.size(), body.colliding_nodes.size()});
-  add_warnings(scene, model, check.bodies);
+  add_warnings(model, check.bodies);
   const double whole = median_cycle_us(model);
-  model.law = sim::ContactModel::None;
-  check.deformation_us = median_cycle_us(model);
-  check.contact_us = std::max(0.0, whole - check.deformation_us);
+  sim::Model bare = model;
+  for (const sim::Effect* effect : sim::effects()) {
+    EffectCheck found{.name = effect->name, .state = effect->state(scene)};
+    if (found.state.on) {
+      bare = effect->without(std::move(bare));
+      found.cycle_us = std::max(0.0, whole - median_cycle_us(effect->without(model)));
+    }
+    check.effects.push_back(std::move(found));
+  }
+  check.deformation_us = median_cycle_us(bare);
   return check;
-}
-
-std::string cost_of(const SceneCheck& check, const sim::Effect& effect) {
-  if (!effect.on) return "0";
-  return fmt::format("{:.1f}", effect.name == "contact" ? check.contact_us : 0.0);
 }
 
 void print_text(const SceneCheck& check) {
@@ -135,9 +143,9 @@ void print_text(const SceneCheck& check) {
   }
   fmt::print("\n{:<27}{:<5}{:>13}  {}\n", "effects", "", "us a cycle", "why");
   fmt::print("  {:<25}{:<5}{:>13.1f}  {}\n", "linear elasticity", "on", check.deformation_us, "every scene");
-  for (const sim::Effect& effect : check.effects)
-    fmt::print("  {:<25}{:<5}{:>13}  {}\n", effect.name, effect.on ? "on" : "off", cost_of(check, effect),
-               effect.reason);
+  for (const EffectCheck& effect : check.effects)
+    fmt::print("  {:<25}{:<5}{:>13}  {}\n", effect.name, effect.state.on ? "on" : "off",
+               effect.state.on ? fmt::format("{:.1f}", effect.cycle_us) : "0", effect.state.reason);
   fmt::print("\nMedian times on this machine, probes at their full depth.\n");
 }
 
@@ -156,11 +164,11 @@ ordered_json to_json(const SceneCheck& check) {
                      {"on", true},
                      {"why", "every scene"},
                      {"cycle_us", check.deformation_us}});
-  for (const sim::Effect& effect : check.effects)
-    effects.push_back({{"effect", effect.name},
-                       {"on", effect.on},
-                       {"why", effect.reason},
-                       {"cycle_us", effect.on ? check.contact_us : 0.0}});
+  for (const EffectCheck& effect : check.effects)
+    effects.push_back({{"effect", std::string(effect.name)},
+                       {"on", effect.state.on},
+                       {"why", effect.state.reason},
+                       {"cycle_us", effect.cycle_us}});
   return {{"scene", check.name}, {"bodies", bodies}, {"effects", effects}};
 }
 

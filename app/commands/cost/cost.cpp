@@ -15,6 +15,7 @@
 #include "app/command_line/user_cache.hpp"
 #include "base/machine/machine.hpp"
 #include "sim/compile/compile.hpp"
+#include "sim/contact/laws.hpp"
 #include "sim/cost/cycle_cost.hpp"
 
 namespace palpate::app {
@@ -60,10 +61,9 @@ SceneCost measure(const CostOptions& options, const std::string& file, sim::Comp
                            options.depth.empty() ? model.probes.front().depth : parse_depth(options.depth)};
   if (!(how.depth > 0.0))
     throw std::invalid_argument(fmt::format("--depth {}: accepted: > 0", options.depth));
-  std::vector<sim::ContactModel> laws = {sim::ContactModel::None, sim::ContactModel::Sibille,
-                                         sim::ContactModel::Kuroda};
-  if (!options.common.model.empty()) laws = {model.law};
-  for (const sim::ContactModel law : laws) cost.models.push_back(sim::measure_cycle(model, law, how));
+  for (const sim::ContactLaw* law : sim::contact_laws())
+    if (options.common.model.empty() || law == model.law)
+      cost.models.push_back(sim::measure_cycle(model, *law, how));
   return cost;
 }
 
@@ -83,8 +83,7 @@ void print_text(const std::vector<SceneCost>& costs) {
     fmt::print("{:<9} {:>8}  {:<12} {:>9} {:>9} {:>9} {:>9}\n", "model", "contacts", "", "median", "p99",
                "p99.9", "slowest");
     for (const sim::CycleCost& cost : scene.models) {
-      print_row(std::string(sim::to_string(cost.law)), std::to_string(cost.active), "deformation",
-                cost.deformation);
+      print_row(std::string(cost.law), std::to_string(cost.active), "deformation", cost.deformation);
       print_row("", "", "interaction", cost.interaction);
       print_row("", "", "total", cost.total);
       fmt::print(
@@ -104,7 +103,7 @@ ordered_json to_json(const sim::Spread& times) {
 }
 
 ordered_json to_json(const sim::CycleCost& cost) {
-  return {{"model", std::string(sim::to_string(cost.law))},
+  return {{"model", std::string(cost.law)},
           {"touching", cost.touching},
           {"active", cost.active},
           {"cycles", cost.cycles},
@@ -144,7 +143,7 @@ void print_costs(const std::vector<SceneCost>& costs) {
 /// Fig. 5: time over the number of nodes of all bodies, under the last model measured.
 Plot over_nodes(const std::vector<SceneCost>& costs) {
   Plot plot{.title = fmt::format("One haptic cycle, contact model {}, bodies touching",
-                                 sim::to_string(costs.front().models.back().law)),
+                                 costs.front().models.back().law),
             .note = fmt::format("median of all poses; {}; {}", base::describe_machine(), versions()),
             .x_label = "nodes of all bodies",
             .y_label = "time [us]",
@@ -174,7 +173,7 @@ Plot over_depth(const SceneCost& scene) {
             .x_label = "depth [mm]",
             .y_label = "time [us]"};
   for (const sim::CycleCost& cost : scene.models) {
-    PlotSeries series{.name = std::string(sim::to_string(cost.law)), .y = cost.depth_medians};
+    PlotSeries series{.name = std::string(cost.law), .y = cost.depth_medians};
     for (const double depth : cost.depths) series.x.push_back(1e3 * depth);
     plot.series.push_back(std::move(series));
   }
@@ -198,8 +197,9 @@ void run_cost(const CostOptions& options) {
 void add(CLI::App& command) {
   auto options = std::make_shared<CostOptions>();
   command.add_option("scenes", options->scenes, "Scene files (TOML), one or several")->required();
-  command.add_option("--model", options->common.model,
-                     "Only this contact model: none, sibille or kuroda (default: each)");
+  command.add_option(
+      "--model", options->common.model,
+      fmt::format("Only this contact model: {} (default: each)", sim::choice_of_contact_models()));
   command
       .add_option("--set", options->common.set,
                   "Replace an entry of every scene, e.g. bodies.prostate.young_modulus=\"5 MPa\"")

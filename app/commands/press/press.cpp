@@ -63,7 +63,7 @@ void press_scene(const PressOptions& options, std::optional<double> depth) {
     fmt::print("{}", press_text(model, press));
   if (!options.save.empty()) save_state(model, press, options.save);
   if (options.plot.empty()) return;
-  draw_plot({.title = fmt::format("{}, contact model {}", model.scene, sim::to_string(model.law)),
+  draw_plot({.title = fmt::format("{}, contact model {}", model.scene, model.law->name),
              .x_label = "depth [mm]",
              .y_label = "force [N]",
              .series = {press_curve("force", model, press)}},

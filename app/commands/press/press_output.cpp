@@ -62,16 +62,16 @@ ordered_json press_json(const sim::Model& model, const sim::Press& press) {
   ordered_json curve = ordered_json::array();
   for (const sim::PressStep& step : press.curve) curve.push_back(step_json(model, step));
   return {{"scene", model.scene},
-          {"model", std::string(sim::to_string(model.law))},
+          {"model", std::string(model.law->name)},
           {"units", {{"length", "m"}, {"force", "N"}}},
           {"bodies", bodies_json(model)},
           {"curve", curve}};
 }
 
 std::string press_text(const sim::Model& model, const sim::Press& press) {
-  std::string text = fmt::format("{}, contact model {}\n{:>10} {:>12} {:>9} {:>16} {:>11}\n", model.scene,
-                                 sim::to_string(model.law), "depth [mm]", "force [N]", "contacts",
-                                 "overlap [mm]", "cycle [us]");
+  std::string text =
+      fmt::format("{}, contact model {}\n{:>10} {:>12} {:>9} {:>16} {:>11}\n", model.scene, model.law->name,
+                  "depth [mm]", "force [N]", "contacts", "overlap [mm]", "cycle [us]");
   for (const sim::PressStep& step : press.curve) {
     int active = 0;
     double overlap = 0.0;

@@ -26,13 +26,13 @@ struct RenderOptions {
   int height = 720;
 };
 
-/// Loads of the cycle that holds every probe at its pose.
-sim::Loads pressed(const sim::Model& model, sim::Pose pose) {
-  sim::Scratch scratch(model);
-  if (sim::cycle(model, {}, pose, scratch).solve.stop != sim::Stop::Converged)
+/// Loads of the cycle that holds every probe where it is.
+sim::Loads pressed(const sim::Model& model, sim::ProbeDisplacements probes) {
+  sim::Simulation simulation(model);
+  if (simulation.step(probes, sim::kCyclePeriod).solve.stop != sim::Stop::Converged)
     throw std::runtime_error(
         "the bodies' displacements could not be solved at this depth: no picture written");
-  return scratch.loads();
+  return simulation.loads();
 }
 
 void run_render(const RenderOptions& options) {
@@ -42,14 +42,13 @@ void run_render(const RenderOptions& options) {
   const double depth = parse_depth(options.depth);
   sim::ComplianceCache cache = user_cache();
   const sim::Model model = sim::compile(load_scene(options.scene), cache);
-  const std::vector<sim::ProbePose> pose = sim::pose_at_depth(model, depth);
+  const std::vector<sim::ProbeDisplacement> probes = sim::displaced_by(model, depth);
   const sim::Stage stage = sim::set_stage(model, static_cast<double>(options.width) / options.height);
-  const sim::Picture picture = sim::picture_of(model, stage, pressed(model, pose), pose);
+  const sim::Picture picture = sim::picture_of(model, stage, pressed(model, probes), probes);
   sim::Renderer renderer(options.width, options.height);
   base::write_atomically(options.out, sim::encode_png(renderer.render(picture)));
   fmt::print(stderr, "wrote {}: {}, contact model {}, depth {}; the bar is {:g} mm long\n",
-             options.out.string(), model.scene, sim::to_string(model.law), options.depth,
-             1e3 * stage.scale_bar);
+             options.out.string(), model.scene, model.law->name, options.depth, 1e3 * stage.scale_bar);
 }
 
 void add(CLI::App& command) {

@@ -87,7 +87,7 @@ void FrameStream::draw_cycles(CycleHandover& felt) {
   const sim::Stage stage = sim::set_stage(felt.model(), double(kFrameWidth) / kFrameHeight);
   auto due = Clock::now();
   while (const FeltCycle* cycle = next_cycle(felt)) {
-    const sim::Picture picture = sim::picture_of(felt.model(), stage, cycle->loads, cycle->pose);
+    const sim::Picture picture = sim::picture_of(felt.model(), stage, cycle->loads, cycle->probes);
     deliver_(sim::encode_jpeg(renderer.render(picture), kJpegQuality));
     due = std::max(due + kBetweenFrames, Clock::now());
     std::this_thread::sleep_until(due);

@@ -13,23 +13,24 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// A pose and loads that hold one number everywhere, unless torn.
+/// Displacements and loads that hold one number everywhere, unless torn.
 struct Uniform {
-  explicit Uniform(const sim::Model& model) : pose(model.probes.size()), loads(sim::Scratch(model).loads()) {}
+  explicit Uniform(const sim::Model& model)
+      : probes(model.probes.size()), loads(sim::Simulation(model).loads()) {}
   void fill(double value) {
-    for (sim::ProbePose& probe : pose) probe.displacement.setConstant(value);
+    for (sim::ProbeDisplacement& probe : probes) probe.from_rest.setConstant(value);
     for (Eigen::VectorXd& forces : loads.on_body) forces.setConstant(value);
   }
-  CycleHandover handover(const sim::Model& model) { return {model, pose, loads}; }
+  CycleHandover handover(const sim::Model& model) { return {model, probes, loads}; }
 
-  std::vector<sim::ProbePose> pose;
+  std::vector<sim::ProbeDisplacement> probes;
   sim::Loads loads;
 };
 
 bool holds_one_number(const FeltCycle& cycle) {
-  const double value = cycle.pose.front().displacement[0];
+  const double value = cycle.probes.front().from_rest[0];
   bool same = true;
-  for (const sim::ProbePose& probe : cycle.pose) same &= (probe.displacement.array() == value).all();
+  for (const sim::ProbeDisplacement& probe : cycle.probes) same &= (probe.from_rest.array() == value).all();
   for (const Eigen::VectorXd& forces : cycle.loads.on_body) same &= (forces.array() == value).all();
   return same;
 }
@@ -39,21 +40,21 @@ TEST(CycleHandover, GivesTheCycleAfterTheQuestionAndKeepsIt) {
   Uniform felt(model);
   CycleHandover handover = felt.handover(model);
   felt.fill(1);
-  handover.offer(felt.pose, felt.loads);
+  handover.offer(felt.probes, felt.loads);
   EXPECT_EQ(handover.answer(), nullptr);  // nobody has asked
   handover.ask();
   EXPECT_EQ(handover.answer(), nullptr);
   felt.fill(2);
-  handover.offer(felt.pose, felt.loads);
+  handover.offer(felt.probes, felt.loads);
   felt.fill(3);
-  handover.offer(felt.pose, felt.loads);
+  handover.offer(felt.probes, felt.loads);
   const FeltCycle* answer = handover.answer();
   ASSERT_NE(answer, nullptr);
   EXPECT_EQ(answer->loads.on_body[1][0], 2);
   handover.ask();
-  handover.offer(felt.pose, felt.loads);
+  handover.offer(felt.probes, felt.loads);
   ASSERT_NE(handover.answer(), nullptr);
-  EXPECT_EQ(handover.answer()->pose[0].displacement[2], 3);
+  EXPECT_EQ(handover.answer()->probes[0].from_rest[2], 3);
 }
 
 // Run under the tsan preset this also proves that there is no data race. The reader asks again and again,
@@ -66,7 +67,7 @@ TEST(CycleHandover, IsNeverTornWhileTheLoopOffersAsFastAsItCan) {
   std::thread loop([&] {
     for (double number = 1; !done; ++number) {
       felt.fill(number);
-      handover.offer(felt.pose, felt.loads);
+      handover.offer(felt.probes, felt.loads);
     }
   });
   int answers = 0, torn = 0, backwards = 0;
@@ -80,8 +81,8 @@ TEST(CycleHandover, IsNeverTornWhileTheLoopOffersAsFastAsItCan) {
     if (cycle == nullptr) continue;
     ++answers;
     torn += !holds_one_number(*cycle);
-    backwards += cycle->pose.front().displacement[0] < before;
-    before = cycle->pose.front().displacement[0];
+    backwards += cycle->probes.front().from_rest[0] < before;
+    before = cycle->probes.front().from_rest[0];
   }
   done = true;
   loop.join();

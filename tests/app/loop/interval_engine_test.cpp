@@ -214,18 +214,18 @@ TEST(IntervalEngine, MissedCyclesCountAsTime) {
 TEST(IntervalEngine, HandsOverTheLoadsThatTheHandFelt) {
   const sim::Model model = palpation("kuroda", "5.0 MPa");
   IntervalEngine engine(model, kLimits, kMouse);
-  sim::Scratch judge(model);
+  sim::Simulation judge(model);
   int loaded = 0;
   for (int i = 0; i < 1000; ++i) {
     engine.felt().ask();
     engine.tick(at(scripted_hand(i)));
     const FeltCycle* felt = engine.felt().answer();
     ASSERT_NE(felt, nullptr);
-    sim::cycle(model, {}, felt->pose, judge);
+    judge.step(felt->probes, kCycleSeconds);
     for (std::size_t body = 0; body < model.bodies.size(); ++body)
       ASSERT_EQ(felt->loads.on_body[body], judge.loads().on_body[body]) << "cycle " << i;
     if (!engine.trace().empty()) {
-      EXPECT_EQ(static_cast<float>(felt->pose[0].displacement[2]), engine.trace().back().displacement[2]);
+      EXPECT_EQ(static_cast<float>(felt->probes[0].from_rest[2]), engine.trace().back().displacement[2]);
     }
     loaded += felt->loads.on_body[1].squaredNorm() > 0;
   }
@@ -247,11 +247,11 @@ TEST(IntervalEngine, AHandInSpaceMovesTheProbeSidewaysAndFeelsNoMoreThanItsDevic
   engine.felt().ask();
   engine.tick({.position = place, .known = true});
   ASSERT_NE(engine.felt().answer(), nullptr);
-  EXPECT_EQ(engine.felt().answer()->pose.front().displacement, place);
+  EXPECT_EQ(engine.felt().answer()->probes.front().from_rest, place);
   EXPECT_EQ(engine.state().depth, place[2]);
 
-  sim::Scratch judge(model);
-  const sim::Vec3 felt = sim::cycle(model, {}, engine.felt().answer()->pose, judge).probe_forces.front();
+  sim::Simulation judge(model);
+  const sim::Vec3 felt = judge.step(engine.felt().answer()->probes, kCycleSeconds).probe_forces.front();
   ASSERT_GT(felt.norm(), 3.0);
   EXPECT_NEAR(engine.force_on_hand().norm(), 3.0, 1e-12);
   EXPECT_NEAR(engine.force_on_hand().normalized().dot(felt.normalized()), 1.0, 1e-12);

@@ -5,6 +5,7 @@
 #include <Eigen/SVD>
 #include <cmath>
 
+#include "sim/contact/kuroda/kuroda.hpp"
 #include "sim/cycle/press.hpp"
 #include "tests/sim/support/two_boxes.hpp"
 
@@ -17,10 +18,18 @@ using test::write_two_boxes;
 
 constexpr double kDepth = 1.5e-3;  // [m]
 
-Scratch pressed(const Model& model, double depth = kDepth) {
-  Scratch scratch(model);
-  cycle(model, {}, pose_at_depth(model, depth), scratch);
-  return scratch;
+Simulation pressed(const Model& model, double depth = kDepth) {
+  Simulation simulation(model);
+  simulation.step(displaced_by(model, depth), kCyclePeriod);
+  return simulation;
+}
+
+/// The law's own buffers after the last cycle.
+const PrescribedScratch& prescribed(const Simulation& simulation) {
+  return dynamic_cast<const PrescribedScratch&>(*simulation.law_scratch());
+}
+const std::vector<PairShare>& shares_of(const Simulation& simulation) {
+  return dynamic_cast<const KurodaScratch&>(*simulation.law_scratch()).shares;
 }
 
 Override lower_modulus(const char* value) {
@@ -38,23 +47,23 @@ double force_at(const std::filesystem::path& scene, std::initializer_list<Overri
 // pairs whose node and polygon nobody else asked for more.
 TEST(Kuroda, SharesTheOverlapInTheRatioOfTheResistances) {
   const Model model = compile_scene(write_two_boxes({.shift = 1.7e-3}));
-  Scratch scratch = pressed(model);
-  const Scratch::Buffers& buffers = scratch.buffers();
+  const Simulation simulation = pressed(model);
+  const PrescribedScratch& buffers = prescribed(simulation);
   int checked = 0;
   for (std::size_t i = 0; i < buffers.pairs.size(); ++i) {
     const CollidingPair& pair = buffers.pairs[i];
-    const PairShare& share = buffers.shares[i];
+    const PairShare& share = shares_of(simulation)[i];
     const double sum = share.polygon_force + share.node_force;
     const Vec3 u_temp = -pair.depth * pair.normal;
     const auto node = static_cast<std::size_t>(pair.node);
-    const Claims& claims = buffers.bodies[pair.node_body].actual_claims;
+    const Claims& claims = buffers.bodies[pair.node_body].claims;
     const double asked_of_node = share.polygon_force / sum * pair.depth;
     if (std::abs(std::sqrt(claims.squared[node]) - asked_of_node) > 1e-12 * pair.depth) continue;
     ++checked;
     EXPECT_LT((claims.displacement[node] + share.polygon_force / sum * u_temp).norm(), 1e-14 * pair.depth);
     // and the node is really there at the end of the cycle
     const Eigen::VectorXd moved =
-        scratch.displacement(pair.node_body) - buffers.free_motion[pair.node_body].displacement;
+        simulation.displacement(pair.node_body) - simulation.free_state().motion[pair.node_body].displacement;
     EXPECT_LT((moved.segment<3>(3 * pair.node) - claims.displacement[node]).norm(), 1e-9 * pair.depth);
   }
   EXPECT_GE(checked, 3);
@@ -63,8 +72,8 @@ TEST(Kuroda, SharesTheOverlapInTheRatioOfTheResistances) {
 /// Depth at which one node alone has passed one polygon.
 double depth_of_single_contact(const Model& model) {
   for (double depth = 0.2e-3; depth < 3e-3; depth += 5e-6) {
-    Scratch scratch = pressed(model, depth);
-    if (scratch.buffers().pairs.size() == 1) return depth;
+    const Simulation simulation = pressed(model, depth);
+    if (prescribed(simulation).pairs.size() == 1) return depth;
   }
   return 0.0;
 }
@@ -73,16 +82,17 @@ TEST(Kuroda, OneContactIsClosedExactlyAndSharedByTheRatio) {
   const Model model = compile_scene(write_two_boxes({.divisions = 5, .upper_divisions = 6, .shift = 1.1e-3}));
   const double depth = depth_of_single_contact(model);
   ASSERT_GT(depth, 0.0);
-  Scratch scratch = pressed(model, depth);
-  const auto& buffers = scratch.buffers();
+  const Simulation simulation = pressed(model, depth);
+  const PrescribedScratch& buffers = prescribed(simulation);
   const CollidingPair& pair = buffers.pairs.front();
-  const PairShare& share = buffers.shares.front();
+  const PairShare& share = shares_of(simulation).front();
   const auto a = static_cast<std::size_t>(pair.node_body), b = static_cast<std::size_t>(pair.polygon_body);
-  const Vec3 u_a =
-      (scratch.displacement(pair.node_body) - buffers.free_motion[a].displacement).segment<3>(3 * pair.node);
+  const Vec3 u_a = (simulation.displacement(pair.node_body) - simulation.free_state().motion[a].displacement)
+                       .segment<3>(3 * pair.node);
   for (const int corner : model.bodies[b].polygons.triangles[pair.polygon]) {
-    const Vec3 u_b = (scratch.displacement(pair.polygon_body) - buffers.free_motion[b].displacement)
-                         .segment<3>(3 * corner);
+    const Vec3 u_b =
+        (simulation.displacement(pair.polygon_body) - simulation.free_state().motion[b].displacement)
+            .segment<3>(3 * corner);
     EXPECT_LT((u_b - u_a + pair.depth * pair.normal).norm(), 1e-9 * pair.depth);  // u_B - u_A = u_temp
     EXPECT_NEAR(u_a.norm() * share.node_force, u_b.norm() * share.polygon_force,
                 1e-9 * u_a.norm() * share.node_force);
@@ -93,12 +103,12 @@ TEST(Kuroda, OneContactIsClosedExactlyAndSharedByTheRatio) {
 TEST(Kuroda, ABodyAMillionTimesStifferDoesNotYield) {
   const auto scene = write_two_boxes({.shift = 1.7e-3});
   const Model model = compile_scene(scene, std::vector{lower_modulus("1e6 MPa")});
-  Scratch scratch = pressed(model);
-  ASSERT_FALSE(scratch.buffers().pairs.empty());
+  const Simulation simulation = pressed(model);
+  ASSERT_FALSE(prescribed(simulation).pairs.empty());
   double deepest = 0.0;
-  for (const CollidingPair& pair : scratch.buffers().pairs) deepest = std::max(deepest, pair.depth);
-  EXPECT_LT(scratch.displacement(1).lpNorm<Eigen::Infinity>(), 1e-5 * deepest);
-  EXPECT_GT(scratch.displacement(0).lpNorm<Eigen::Infinity>(), deepest);
+  for (const CollidingPair& pair : prescribed(simulation).pairs) deepest = std::max(deepest, pair.depth);
+  EXPECT_LT(simulation.displacement(1).lpNorm<Eigen::Infinity>(), 1e-5 * deepest);
+  EXPECT_GT(simulation.displacement(0).lpNorm<Eigen::Infinity>(), deepest);
 }
 
 TEST(Kuroda, AStifferNeighbourPushesBackHarder) {
@@ -119,14 +129,15 @@ TEST(Kuroda, ForceScalesWithTheModuliTogether) {
 
 TEST(Sibille, BringsEveryCollidingNodeToOnePlane) {
   const Model model = compile_scene(write_two_boxes({.shift = 1.7e-3}), std::vector{kSibille});
-  Scratch scratch = pressed(model);
-  const auto& buffers = scratch.buffers();
+  const Simulation simulation = pressed(model);
+  const PrescribedScratch& buffers = prescribed(simulation);
   ASSERT_GE(buffers.pairs.size(), 4u);
   Eigen::Matrix3Xd places(3, static_cast<Eigen::Index>(buffers.pairs.size()));
   for (std::size_t i = 0; i < buffers.pairs.size(); ++i) {
     const CollidingPair& pair = buffers.pairs[i];
-    places.col(static_cast<Eigen::Index>(i)) = model.bodies[pair.node_body].rest.col(pair.node) +
-                                               scratch.displacement(pair.node_body).segment<3>(3 * pair.node);
+    places.col(static_cast<Eigen::Index>(i)) =
+        model.bodies[pair.node_body].rest.col(pair.node) +
+        simulation.displacement(pair.node_body).segment<3>(3 * pair.node);
   }
   const Eigen::Matrix3Xd centred = places.colwise() - places.rowwise().mean();
   const Eigen::Vector3d extents = centred.jacobiSvd().singularValues();

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "sim/contact/laws.hpp"
 #include "sim/cycle/press.hpp"
 #include "tests/sim/support/two_boxes.hpp"
 
@@ -28,39 +29,39 @@ TEST(SpreadOf, IsTheSmallestTimeThatTheShareDoesNotExceed) {
 
 TEST(FinalContactSet, WithoutContactIsTheProbesOwnColumns) {
   Model model = compile_scene(write_two_boxes());
-  model.law = ContactModel::None;
-  Scratch scratch(model);
-  const std::vector<ProbePose> pose = pose_at_depth(model, 0.5e-3);
-  cycle(model, {}, pose, scratch);
+  model.law = &contact_law("none");
+  Simulation simulation(model);
+  const std::vector<ProbeDisplacement> pose = displaced_by(model, 0.5e-3);
+  simulation.step(pose, kCyclePeriod);
   const Eigen::MatrixXd& own = model.probes.front().compliance;
-  const ContactSet set = final_contact_set(model, pose, scratch.loads());
+  const ContactSet set = final_contact_set(model, pose, simulation.loads());
   EXPECT_EQ(set.bytes, static_cast<std::size_t>(own.size()) * sizeof(double));
   EXPECT_NEAR(read_once(set), own.sum(), 1e-12 * own.cwiseAbs().sum());
 }
 
 TEST(FinalContactSet, WithContactHasThreeColumnsOfEachLoadedNode) {
   Model model = compile_scene(write_two_boxes());
-  model.law = ContactModel::Kuroda;
-  Scratch scratch(model);
-  const std::vector<ProbePose> pose = pose_at_depth(model, 1e-3);
-  ASSERT_GT(cycle(model, {}, pose, scratch).pairs.front().active, 0);
+  model.law = &contact_law("kuroda");
+  Simulation simulation(model);
+  const std::vector<ProbeDisplacement> pose = displaced_by(model, 1e-3);
+  ASSERT_GT(simulation.step(pose, kCyclePeriod).pairs.front().active, 0);
   const Probe& probe = model.probes.front();
   auto numbers = static_cast<std::size_t>(probe.compliance.size());
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    const Eigen::VectorXd& loads = scratch.loads().on_body[b];
+    const Eigen::VectorXd& loads = simulation.loads().on_body[b];
     for (Eigen::Index node = 0; node < loads.size() / 3; ++node) {
       const bool held = static_cast<int>(b) == probe.body && node == probe.nodes.front();
       if (!held && loads.segment<3>(3 * node).norm() > 0)
         numbers += 3 * static_cast<std::size_t>(loads.size());
     }
   }
-  EXPECT_EQ(final_contact_set(model, pose, scratch.loads()).bytes, numbers * sizeof(double));
+  EXPECT_EQ(final_contact_set(model, pose, simulation.loads()).bytes, numbers * sizeof(double));
 }
 
 TEST(MeasureCycle, TimesThePosesAtWhichBodiesTouch) {
   const Model model = compile_scene(write_two_boxes({.gap = 0.2e-3}));
   const CostOptions options{.depth = 1e-3, .poses = 10, .most_cycles = 100};
-  const CycleCost cost = measure_cycle(model, ContactModel::Kuroda, options);
+  const CycleCost cost = measure_cycle(model, contact_law("kuroda"), options);
   EXPECT_TRUE(cost.touching);
   EXPECT_GT(cost.active, 0);
   EXPECT_EQ(cost.cycles, 100);
@@ -78,11 +79,11 @@ TEST(MeasureCycle, TimesThePosesAtWhichBodiesTouch) {
 TEST(MeasureCycle, SaysWhenNothingTouches) {
   const Model model = compile_scene(write_two_boxes({.gap = 5e-3}));
   const CycleCost cost =
-      measure_cycle(model, ContactModel::Sibille, {.depth = 1e-3, .poses = 4, .most_cycles = 20});
+      measure_cycle(model, contact_law("sibille"), {.depth = 1e-3, .poses = 4, .most_cycles = 20});
   EXPECT_FALSE(cost.touching);
   EXPECT_EQ(cost.depths.size(), 4U);
   EXPECT_EQ(cost.active, 0);
-  EXPECT_THROW(measure_cycle(model, ContactModel::None, {.depth = 0.0}), std::invalid_argument);
+  EXPECT_THROW(measure_cycle(model, contact_law("none"), {.depth = 0.0}), std::invalid_argument);
 }
 
 }  // namespace

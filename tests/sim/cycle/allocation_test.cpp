@@ -18,9 +18,12 @@ namespace {
 
 thread_local bool counting = false;
 thread_local long allocations = 0;
+thread_local std::size_t bytes = 0;
 
-void count() {
-  if (counting) ++allocations;
+void count(std::size_t size) {
+  if (!counting) return;
+  ++allocations;
+  bytes += size;
 }
 
 }  // namespace
@@ -33,23 +36,23 @@ void* __libc_realloc(void* block, std::size_t size);
 void* __libc_memalign(std::size_t alignment, std::size_t size);
 
 void* malloc(std::size_t size) {
-  count();
+  count(size);
   return __libc_malloc(size);
 }
 void* calloc(std::size_t number, std::size_t size) {
-  count();
+  count(number * size);
   return __libc_calloc(number, size);
 }
 void* realloc(void* block, std::size_t size) {
-  count();
+  count(size);
   return __libc_realloc(block, size);
 }
 void* aligned_alloc(std::size_t alignment, std::size_t size) {
-  count();
+  count(size);
   return __libc_memalign(alignment, size);
 }
 int posix_memalign(void** block, std::size_t alignment, std::size_t size) {
-  count();
+  count(size);
   *block = __libc_memalign(alignment, size);
   return *block == nullptr ? 12 : 0;  // ENOMEM
 }
@@ -71,21 +74,62 @@ TEST(AllocationCounter, SeesEveryWayToTheHeap) {
   EXPECT_EQ(allocations, 2) << vector[0];
 }
 
+namespace {
+
+/// Heap that a simulation of the scene of Table 1 takes.
+std::size_t bytes_of_simulation(const std::vector<Override>& overrides) {
+  ComplianceCache cache("");
+  const auto file =
+      std::filesystem::path(palpate::test::source_folder()) / "data/scenes/rectal-palpation.toml";
+  const Model model = compile(load_scene(file, overrides), cache);
+  bytes = 0;
+  counting = true;
+  const Simulation simulation(model);
+  counting = false;
+  return bytes;
+}
+
+}  // namespace
+
+// With `none` nothing is there for contact: no pairs, trees, claims or factors, just as where there is
+// nothing to touch.
+TEST(AllocationOfLaw, NoneTakesNothingForContact) {
+  const std::size_t none = bytes_of_simulation({{"contact.model", "none"}});
+  EXPECT_EQ(none, bytes_of_simulation({{"contact.model", "none"}, {"contact.touch", "[]"}}));
+  EXPECT_EQ(none, bytes_of_simulation({{"contact.model", "kuroda"}, {"contact.touch", "[]"}}));
+
+  // Beside the body that the probe presses, another costs its loads and its two displacements, in three rows.
+  const std::size_t alone = bytes_of_simulation({{"bodies.prostate.present", "false"}});
+  ComplianceCache cache("");
+  const auto file =
+      std::filesystem::path(palpate::test::source_folder()) / "data/scenes/rectal-palpation.toml";
+  const Model both = compile(load_scene(file), cache);
+  std::size_t vectors = 0;
+  for (const Body& body : both.bodies)
+    if (body.name == "prostate") vectors = 3 * sizeof(double) * static_cast<std::size_t>(body.rest.size());
+  EXPECT_GT(none, alone);
+  EXPECT_LT(none, alone + vectors + 1000);
+
+  const std::size_t sibille = bytes_of_simulation({{"contact.model", "sibille"}});
+  EXPECT_GT(sibille, 10 * none);
+  EXPECT_GT(bytes_of_simulation({{"contact.model", "kuroda"}}), sibille * 3 / 2);  // a second factor a body
+}
+
 // Down to full depth and back up, contacts coming and going, from the very first cycle on.
 TEST_P(Allocation, NoneInTheCycle) {
   ComplianceCache cache("");
   const auto file =
       std::filesystem::path(palpate::test::source_folder()) / "data/scenes/rectal-palpation.toml";
   const Model model = compile(load_scene(file, std::vector<Override>{{"contact.model", GetParam()}}), cache);
-  std::vector<std::vector<ProbePose>> poses;
-  for (int k = -10; k <= 100; ++k) poses.push_back(pose_at_depth(model, 6e-3 * k / 100));
-  for (int k = 100; k >= -10; --k) poses.push_back(pose_at_depth(model, 6e-3 * k / 100));
-  Scratch scratch(model);
+  std::vector<std::vector<ProbeDisplacement>> poses;
+  for (int k = -10; k <= 100; ++k) poses.push_back(displaced_by(model, 6e-3 * k / 100));
+  for (int k = 100; k >= -10; --k) poses.push_back(displaced_by(model, 6e-3 * k / 100));
+  Simulation simulation(model);
   int most = 0;
   allocations = 0;
   counting = true;
-  for (const std::vector<ProbePose>& pose : poses) {
-    const CycleResult result = cycle(model, {}, pose, scratch);
+  for (const std::vector<ProbeDisplacement>& pose : poses) {
+    const CycleResult result = simulation.step(pose, kCyclePeriod);
     if (!result.pairs.empty()) most = std::max(most, result.pairs[0].active);
   }
   counting = false;

@@ -28,10 +28,10 @@ Model rectal_palpation() {
 }
 
 Picture pressed(const Model& model, double depth) {
-  const std::vector<ProbePose> pose = pose_at_depth(model, depth);
-  Scratch scratch(model);
-  EXPECT_EQ(cycle(model, {}, pose, scratch).solve.stop, Stop::Converged);
-  return picture_of(model, set_stage(model, kAspect), scratch.loads(), pose);
+  const std::vector<ProbeDisplacement> pose = displaced_by(model, depth);
+  Simulation simulation(model);
+  EXPECT_EQ(simulation.step(pose, kCyclePeriod).solve.stop, Stop::Converged);
+  return picture_of(model, set_stage(model, kAspect), simulation.loads(), pose);
 }
 
 TEST(PictureOf, ShowsEveryBodyAtRest) {

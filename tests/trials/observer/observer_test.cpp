@@ -102,8 +102,8 @@ TEST_F(ObserverOnOrgans, TheModelOfThePaperTellsConditionsApartAndSibillesDoesNo
   const auto path = plan_press(pressing, sim::Vec3::UnitZ(), generator);
   const auto peak = [&](std::size_t cell, std::size_t condition) {
     const sim::Model& model = *stimuli.at(stimulus_index(protocol, cell, condition));
-    sim::Scratch scratch(model);
-    return summarise(drive(model, scratch, path, {}).trace).peak_force;
+    sim::Simulation simulation(model);
+    return summarise(drive(model, simulation, path, {}).trace).peak_force;
   };
   EXPECT_GT(peak(0, 1) / peak(0, 0), 1.1);
   EXPECT_NEAR(peak(1, 1) / peak(1, 0), 1.0, 1e-6);  // single precision of the trace
@@ -116,14 +116,14 @@ TEST_F(ObserverOnOrgans, ForceIsCutAsTheDeviceWould) {
   Generator generator = make_generator(1, "hand");
   const Observer observer = draw_observer(p, generator);
   const sim::Model& model = *stimuli.at(0);
-  sim::Scratch scratch(model);
+  sim::Simulation simulation(model);
   const auto path = plan_press(observer, model.probes.front().direction, generator);
-  const double whole = summarise(drive(model, scratch, path, {}).trace).peak_force;
-  const IntervalRecord cut = drive(model, scratch, path, {.max_force = whole / 2});
+  const double whole = summarise(drive(model, simulation, path, {}).trace).peak_force;
+  const IntervalRecord cut = drive(model, simulation, path, {.max_force = whole / 2});
   EXPECT_NEAR(summarise(cut.trace).peak_force, whole / 2, 1e-6 * whole);
   EXPECT_GT(cut.clamped_fraction, 0.3);
   EXPECT_LT(cut.clamped_fraction, 1.0);
-  const double tenth = summarise(drive(model, scratch, path, {.force_scale = 0.1}).trace).peak_force;
+  const double tenth = summarise(drive(model, simulation, path, {.force_scale = 0.1}).trace).peak_force;
   EXPECT_NEAR(tenth, whole / 10, 1e-6 * whole);
 }
 

@@ -58,7 +58,7 @@ TEST(Protocol, StimuliAreScenesWithCellAndConditionInPlace) {
       load_protocol(std::filesystem::path(palpate::test::source_folder()) / "protocols/kuroda2003.toml");
   const auto& stimulus = protocol.stimuli.at(stimulus_index(protocol, 1, 1));
   const sim::Scene scene = sim::load_scene(protocol.scene_file, stimulus.overrides);
-  EXPECT_EQ(scene.contact.model, sim::ContactModel::Sibille);
+  EXPECT_EQ(scene.contact.model, "sibille");
   EXPECT_DOUBLE_EQ(scene.bodies.at(1).material.young_modulus, 5e6);
 }
 

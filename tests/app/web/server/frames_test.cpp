@@ -11,6 +11,7 @@
 
 #include "app/loop/interval_engine.hpp"
 #include "devices/mouse/mouse.hpp"
+#include "sim/cycle/simulation.hpp"
 #include "sim/view/image.hpp"
 #include "sim/view/picture_of.hpp"
 #include "sim/view/renderer.hpp"
@@ -42,12 +43,12 @@ class LastPicture {
 };
 
 /// A picture of a press that solves the cycle by itself, as a judge.
-std::string drawn_anew(const sim::Model& model, const std::vector<sim::ProbePose>& pose) {
-  sim::Scratch scratch(model);
-  sim::cycle(model, {}, pose, scratch);
+std::string drawn_anew(const sim::Model& model, const std::vector<sim::ProbeDisplacement>& probes) {
+  sim::Simulation simulation(model);
+  simulation.step(probes, kCycleSeconds);
   sim::Renderer renderer(kFrameWidth, kFrameHeight);
   const sim::Stage stage = sim::set_stage(model, double(kFrameWidth) / kFrameHeight);
-  return sim::encode_jpeg(renderer.render(sim::picture_of(model, stage, scratch.loads(), pose)), 80);
+  return sim::encode_jpeg(renderer.render(sim::picture_of(model, stage, simulation.loads(), probes)), 80);
 }
 
 // The interval ends by its time while the finger is deep in: what was felt then stays.
@@ -60,8 +61,8 @@ TEST(FrameStream, DrawsTheCycleThatTheHandFeltByteForByte) {
   engine.tick({});
   const FeltCycle* felt = engine.felt().answer();
   ASSERT_NE(felt, nullptr);
-  const std::vector<sim::ProbePose> pose = felt->pose;
-  ASSERT_GT(pose.front().displacement[2], 3e-3);
+  const std::vector<sim::ProbeDisplacement> probes = felt->probes;
+  ASSERT_GT(probes.front().from_rest[2], 3e-3);
 
   LastPicture last;
   FrameStream frames([&](const std::string& jpeg) { last.take(jpeg); });
@@ -78,8 +79,8 @@ TEST(FrameStream, DrawsTheCycleThatTheHandFeltByteForByte) {
   done = true;
   loop.join();
   EXPECT_EQ(frames.failure(), "");
-  EXPECT_TRUE(shown == drawn_anew(model, pose));
-  EXPECT_FALSE(shown == drawn_anew(model, std::vector<sim::ProbePose>(pose.size())));
+  EXPECT_TRUE(shown == drawn_anew(model, probes));
+  EXPECT_FALSE(shown == drawn_anew(model, std::vector<sim::ProbeDisplacement>(probes.size())));
 }
 
 // No loop runs, so no cycle ever comes: the stream lets go all the same.

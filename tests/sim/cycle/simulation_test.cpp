@@ -1,5 +1,3 @@
-#include "sim/cycle/cycle.hpp"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -8,6 +6,7 @@
 #include <random>
 
 #include "sim/cycle/press.hpp"
+#include "sim/cycle/simulation.hpp"
 #include "sim/elasticity/static_solve.hpp"
 #include "tests/sim/support/two_boxes.hpp"
 
@@ -34,13 +33,13 @@ class CycleOfEachLaw : public ::testing::TestWithParam<const char*> {};
 TEST_P(CycleOfEachLaw, CondensedDeformationIsTheFullOne) {
   const Model model =
       compile_scene(write_two_boxes({.shift = 1.7e-3}), std::vector<Override>{{"contact.model", GetParam()}});
-  Scratch scratch(model);
-  cycle(model, {}, pose_at_depth(model, 1.5e-3), scratch);
+  Simulation simulation(model);
+  simulation.step(displaced_by(model, 1.5e-3), kCyclePeriod);
   for (std::size_t i = 0; i < model.bodies.size(); ++i) {
     const Body& body = model.bodies[i];
     const Eigen::Matrix3Xd u = static_solve(stiffness(*body.mesh, body.materials), body.fixed,
-                                            on_mesh(body, scratch.loads().on_body[i]));
-    const Eigen::VectorXd& found = scratch.displacement(static_cast<int>(i));
+                                            on_mesh(body, simulation.loads().on_body[i]));
+    const Eigen::VectorXd& found = simulation.displacement(static_cast<int>(i));
     for (std::size_t t = 0; t < body.compliance->touch.size(); ++t)
       EXPECT_LT(
           (u.col(body.compliance->touch[t]) - found.segment<3>(3 * static_cast<Eigen::Index>(t))).norm(),
@@ -53,13 +52,13 @@ TEST_P(CycleOfEachLaw, GivesTheSameBitsWhateverCameBefore) {
       compile_scene(write_two_boxes({.shift = 1.7e-3}), std::vector<Override>{{"contact.model", GetParam()}});
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> depth(-1e-3, 3e-3), slant(-0.5e-3, 0.5e-3);
-  Scratch travelled(model);
+  Simulation travelled(model);
   for (int i = 0; i < 50; ++i) {
-    const std::vector<ProbePose> pose{
+    const std::vector<ProbeDisplacement> pose{
         {depth(random) * model.probes[0].direction + Vec3(slant(random), slant(random), 0)}};
-    Scratch fresh(model);
-    const Vec3 here = cycle(model, {}, pose, travelled).probe_forces[0];
-    const Vec3 first_time = cycle(model, {}, pose, fresh).probe_forces[0];
+    Simulation fresh(model);
+    const Vec3 here = travelled.step(pose, kCyclePeriod).probe_forces[0];
+    const Vec3 first_time = fresh.step(pose, kCyclePeriod).probe_forces[0];
     EXPECT_EQ(here, first_time);
     EXPECT_EQ(travelled.displacement(1), fresh.displacement(1));
   }
@@ -71,17 +70,19 @@ TEST_P(CycleOfEachLaw, ABodyThatIsReleasedIsWhereItRests) {
                                     std::vector<Override>{{"contact.model", GetParam()}});
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> depth(-2e-3, 2e-3);
-  Scratch travelled(model);
+  Simulation travelled(model);
   for (int i = 0; i < 50; ++i) {
-    const std::vector<ProbePose> pose{{depth(random) * model.probes[0].direction},
-                                      {depth(random) * model.probes[1].direction}};
-    Scratch fresh(model);
-    const CycleResult here = cycle(model, {}, pose, travelled), first_time = cycle(model, {}, pose, fresh);
+    const std::vector<ProbeDisplacement> pose{{depth(random) * model.probes[0].direction},
+                                              {depth(random) * model.probes[1].direction}};
+    Simulation fresh(model);
+    const CycleResult here = travelled.step(pose, kCyclePeriod), first_time = fresh.step(pose, kCyclePeriod);
     for (std::size_t k = 0; k < 2; ++k) EXPECT_EQ(here.probe_forces[k], first_time.probe_forces[k]);
-    EXPECT_EQ(here.pairs[0].active, first_time.pairs[0].active);
+    ASSERT_EQ(here.pairs.size(), first_time.pairs.size());
+    for (std::size_t k = 0; k < here.pairs.size(); ++k)
+      EXPECT_EQ(here.pairs[k].active, first_time.pairs[k].active);
     for (int body = 0; body < 2; ++body) EXPECT_EQ(travelled.displacement(body), fresh.displacement(body));
     if (i % 10 == 9)  // nor after a cycle that failed
-      cycle(model, {}, std::vector<ProbePose>{{Vec3(0, NAN, 0)}, {Vec3::Zero()}}, travelled);
+      travelled.step(std::vector<ProbeDisplacement>{{Vec3(0, NAN, 0)}, {Vec3::Zero()}}, kCyclePeriod);
   }
 }
 
@@ -92,26 +93,27 @@ TEST(Kuroda, WhatAProbeHoldsLeavesTheWholeWayToTheOtherBody) {
                                         {"probes.finger.radius", "9 mm"},
                                         {"probes.finger.at", "[\"15 mm\", \"15 mm\", \"20.2 mm\"]"}};
   const Model model = compile_scene(write_two_boxes(), underside);
-  Scratch scratch(model), alone(model);
-  const CycleResult result = cycle(model, {}, pose_at_depth(model, 1e-3), scratch);
+  Simulation simulation(model);
+  const CycleResult result = simulation.step(displaced_by(model, 1e-3), kCyclePeriod);
   ASSERT_GT(result.pairs[0].active, 0);
   EXPECT_LT(result.pairs[0].force_on[1].z(), 0.0);  // the lower box is pushed down
   std::vector<Override> without = underside;
   without.push_back({"contact.model", "none"});
   const Model free = compile_scene(write_two_boxes(), without);
-  Scratch free_scratch(free);
+  Simulation free_simulation(free);
   EXPECT_GT(result.probe_forces[0].z(),
-            1.05 * cycle(free, {}, pose_at_depth(free, 1e-3), free_scratch).probe_forces[0].z());
+            1.05 * free_simulation.step(displaced_by(free, 1e-3), kCyclePeriod).probe_forces[0].z());
 }
 
 TEST_P(CycleOfEachLaw, FeelsNothingOffTheSkinAndForAPoseThatIsNoNumber) {
   const Model model = compile_scene(write_two_boxes(), std::vector<Override>{{"contact.model", GetParam()}});
-  Scratch scratch(model);
-  EXPECT_EQ(cycle(model, {}, pose_at_depth(model, 0.0), scratch).probe_forces[0], Vec3(Vec3::Zero()));
-  EXPECT_EQ(cycle(model, {}, pose_at_depth(model, -1e-3), scratch).probe_forces[0], Vec3(Vec3::Zero()));
+  Simulation simulation(model);
+  EXPECT_EQ(simulation.step(displaced_by(model, 0.0), kCyclePeriod).probe_forces[0], Vec3(Vec3::Zero()));
+  EXPECT_EQ(simulation.step(displaced_by(model, -1e-3), kCyclePeriod).probe_forces[0], Vec3(Vec3::Zero()));
   for (const double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
-    const CycleResult result = cycle(model, {}, std::vector<ProbePose>{{Vec3(0, bad, 0)}}, scratch);
+    const CycleResult result =
+        simulation.step(std::vector<ProbeDisplacement>{{Vec3(0, bad, 0)}}, kCyclePeriod);
     EXPECT_EQ(result.probe_forces[0], Vec3(Vec3::Zero()));
     EXPECT_EQ(result.solve.stop, Stop::NotFinite);
   }
@@ -133,13 +135,13 @@ TEST(Cycle, ThePadMovesItsWeightedMeanAndFeelsTheSumOfItsLoads) {
   const Model model = compile_scene(write_two_boxes({.probe = "kind = \"pad\"\nradius = \"6 mm\""}), kNone);
   const Probe& probe = model.probes[0];
   ASSERT_GE(probe.nodes.size(), 4u);
-  Scratch scratch(model);
+  Simulation simulation(model);
   const Vec3 asked(0.3e-3, -0.2e-3, -1e-3);
-  const Vec3 felt = cycle(model, {}, std::vector<ProbePose>{{asked}}, scratch).probe_forces[0];
+  const Vec3 felt = simulation.step(std::vector<ProbeDisplacement>{{asked}}, kCyclePeriod).probe_forces[0];
   Vec3 mean = Vec3::Zero(), sum = Vec3::Zero();
   for (std::size_t i = 0; i < probe.nodes.size(); ++i) {
-    mean += probe.weights[i] * scratch.displacement(0).segment<3>(3 * probe.nodes[i]);
-    sum += scratch.loads().on_body[0].segment<3>(3 * probe.nodes[i]);
+    mean += probe.weights[i] * simulation.displacement(0).segment<3>(3 * probe.nodes[i]);
+    sum += simulation.loads().on_body[0].segment<3>(3 * probe.nodes[i]);
   }
   EXPECT_LT((mean - asked).norm(), 1e-12);
   EXPECT_LT((felt + sum).norm(), 1e-9 * felt.norm());
@@ -148,8 +150,8 @@ TEST(Cycle, ThePadMovesItsWeightedMeanAndFeelsTheSumOfItsLoads) {
 TEST(Cycle, AFreeProbeTakesNoForceAcrossItsDirection) {
   const Model model =
       compile_scene(write_two_boxes({.probe = "kind = \"point\"\ntangential = \"free\""}), kNone);
-  Scratch scratch(model);
-  const Vec3 felt = cycle(model, {}, pose_at_depth(model, 1e-3), scratch).probe_forces[0];
+  Simulation simulation(model);
+  const Vec3 felt = simulation.step(displaced_by(model, 1e-3), kCyclePeriod).probe_forces[0];
   EXPECT_LT(felt.cross(model.probes[0].direction).norm(), 1e-12 * felt.norm());
   EXPECT_GT(normal_force(model.probes[0], felt), 0.0);
 }
@@ -158,11 +160,11 @@ TEST(Cycle, AFreeProbeTakesNoForceAcrossItsDirection) {
 // linear).
 TEST(Cycle, TheWorkOfAPressIsTheStoredEnergy) {
   const Model model = compile_scene(write_two_boxes(), kNone);
-  Scratch scratch(model);
+  Simulation simulation(model);
   const double depth = 1e-3;
-  const CycleResult result = cycle(model, {}, pose_at_depth(model, depth), scratch);
+  const CycleResult result = simulation.step(displaced_by(model, depth), kCyclePeriod);
   const double work = 0.5 * depth * normal_force(model.probes[0], result.probe_forces[0]);
-  const double stored = 0.5 * scratch.displacement(0).dot(scratch.loads().on_body[0]);
+  const double stored = 0.5 * simulation.displacement(0).dot(simulation.loads().on_body[0]);
   EXPECT_NEAR(stored / work, 1.0, 1e-9);
 }
 

@@ -1,4 +1,4 @@
-#include "sim/contact/prescribed.hpp"
+#include "sim/contact/prescribed/prescribed_solve.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -11,44 +11,10 @@ using RowMap = Eigen::Map<const Eigen::VectorXd>;
 
 }  // namespace
 
-Claims::Claims(int touchable_nodes)
-    : displacement(static_cast<std::size_t>(touchable_nodes), Vec3(Vec3::Zero())),
-      squared(static_cast<std::size_t>(touchable_nodes), -1.0),
-      touch_pair(static_cast<std::size_t>(touchable_nodes), -1),
-      held(static_cast<std::size_t>(touchable_nodes), 0) {
-  nodes.reserve(static_cast<std::size_t>(touchable_nodes));
-}
-
-void Claims::clear() {
-  for (const int node : nodes) squared[node] = -1.0;
-  nodes.clear();
-  std::ranges::fill(held, char{0});
-}
-
-void Claims::hold(std::span<const int> probe_nodes) {
-  for (const int node : probe_nodes) held[node] = 1;
-}
-
-void Claims::ask(int node, const Vec3& displacement_asked, int touch_pair_asking) {
-  const auto i = static_cast<std::size_t>(node);
-  if (held[i]) return;
-  const double length = displacement_asked.squaredNorm();
-  if (length <= squared[i]) return;
-  if (squared[i] < 0.0) nodes.push_back(node);
-  displacement[i] = displacement_asked;
-  squared[i] = length;
-  touch_pair[i] = touch_pair_asking;
-}
-
-void Claims::sort() {
-  std::ranges::sort(nodes);
-}
-
-PrescribedSolve::PrescribedSolve(const Model& model, int body) : model_(model), body_(model.bodies[body]) {
-  int most = 3 * static_cast<int>(body_.colliding_nodes.size());
-  for (const int probe : body_.probes) most += static_cast<int>(model.probes[probe].axes.cols());
-  stride_ = most;
-  const auto size = static_cast<std::size_t>(most);
+PrescribedSolve::PrescribedSolve(const Model& model, int body, int most_nodes)
+    : model_(&model), body_(&model.bodies[body]), stride_(3 * most_nodes) {
+  for (const int probe : body_->probes) stride_ += static_cast<int>(model.probes[probe].axes.cols());
+  const auto size = static_cast<std::size_t>(stride_);
   rows_.reserve(size);
   wanted_.reserve(size);
   multipliers_.reserve(size);
@@ -56,11 +22,11 @@ PrescribedSolve::PrescribedSolve(const Model& model, int body) : model_(model), 
 }
 
 double PrescribedSolve::entry(const Row& a, const Row& b) const {
-  if (a.probe < 0 && b.probe < 0) return body_.compliance->touch_touch(a.index, b.index);
+  if (a.probe < 0 && b.probe < 0) return body_->compliance->touch_touch(a.index, b.index);
   if (a.probe < 0) return entry(b, a);
-  const Probe& pressing = model_.probes[a.probe];
+  const Probe& pressing = model_->probes[a.probe];
   if (b.probe < 0) return pressing.compliance(b.index, a.index);
-  const Probe& other = model_.probes[b.probe];
+  const Probe& other = model_->probes[b.probe];
   double sum = 0.0;  // the other probe's weighted mean of what this probe's unit force does
   for (std::size_t i = 0; i < other.nodes.size(); ++i)
     sum += other.weights[i] *
@@ -70,9 +36,9 @@ double PrescribedSolve::entry(const Row& a, const Row& b) const {
 
 bool PrescribedSolve::factor(const ProbeRows& probes, std::span<const int> nodes) {
   wanted_.clear();
-  for (const int probe : body_.probes) {
+  for (const int probe : body_->probes) {
     if (!probes[probe].pressing) continue;
-    const auto axes = static_cast<int>(model_.probes[probe].axes.cols());
+    const auto axes = static_cast<int>(model_->probes[probe].axes.cols());
     for (int axis = 0; axis < axes; ++axis) wanted_.push_back({probe, axis});
   }
   probe_rows_ = static_cast<int>(wanted_.size());
@@ -123,21 +89,21 @@ void PrescribedSolve::add_displacement(Eigen::VectorXd& displacement) const {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Row& wanted = rows_[i];
     if (wanted.probe < 0)
-      displacement.noalias() += multipliers_[i] * body_.compliance->touch_touch.col(wanted.index);
+      displacement.noalias() += multipliers_[i] * body_->compliance->touch_touch.col(wanted.index);
     else
-      displacement.noalias() += multipliers_[i] * model_.probes[wanted.probe].compliance.col(wanted.index);
+      displacement.noalias() += multipliers_[i] * model_->probes[wanted.probe].compliance.col(wanted.index);
   }
 }
 
 void PrescribedSolve::add_forces(Eigen::VectorXd& forces) const {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Row& wanted = rows_[i];
-    const double force = body_.young_modulus * multipliers_[i];
+    const double force = body_->young_modulus * multipliers_[i];
     if (wanted.probe < 0) {
       forces[wanted.index] += force;
       continue;
     }
-    const Probe& probe = model_.probes[wanted.probe];
+    const Probe& probe = model_->probes[wanted.probe];
     for (std::size_t k = 0; k < probe.nodes.size(); ++k)
       forces.segment<3>(3 * probe.nodes[k]) += force * probe.weights[k] * probe.axes.col(wanted.index);
   }
@@ -147,7 +113,7 @@ Vec3 PrescribedSolve::probe_force(int probe) const {
   Vec3 force = Vec3::Zero();
   for (std::size_t i = 0; i < rows_.size(); ++i)
     if (rows_[i].probe == probe)
-      force += body_.young_modulus * multipliers_[i] * model_.probes[probe].axes.col(rows_[i].index);
+      force += body_->young_modulus * multipliers_[i] * model_->probes[probe].axes.col(rows_[i].index);
   return force;
 }
 

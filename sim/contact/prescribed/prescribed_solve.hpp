@@ -4,28 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "sim/cycle/cycle.hpp"
+#include "sim/model/free_state.hpp"
 #include "sim/model/model.hpp"
-#include "sim/probe/footprint.hpp"
 
 namespace palpate::sim {
-
-/// Displacements asked of touchable nodes of one body, beyond where its probes alone bring them. A node that
-/// is asked twice takes the larger displacement, of two alike the first; a node that a pressing probe holds
-/// stays with the probe.
-struct Claims {
-  std::vector<Vec3> displacement;  // of each touchable node [m]
-  std::vector<double> squared;     // its squared length, -1 where nothing is asked
-  std::vector<int> touch_pair;     // that asked
-  std::vector<char> held;          // 1: held by a probe that presses
-  std::vector<int> nodes;          // that are asked, ascending once sort() is called
-
-  explicit Claims(int touchable_nodes);
-  void clear();
-  void hold(std::span<const int> probe_nodes);
-  void ask(int node, const Vec3& displacement_asked, int touch_pair_asking);
-  void sort();
-};
 
 /// Forces that bring touched nodes to prescribed displacements while the pressing probes hold still: C_DD f_D
 /// = u_D ([Hirota1998]), by a Cholesky factor whose leading rows are kept from cycle to cycle as long as they
@@ -33,8 +15,9 @@ struct Claims {
 /// what went before.
 class PrescribedSolve {
  public:
-  /// All storage is taken here. @param model  outlives the solve
-  PrescribedSolve(const Model& model, int body);
+  /// All storage is taken here, for the body's probes and so many nodes beside them.
+  /// @param model  outlives the solve
+  PrescribedSolve(const Model& model, int body, int most_nodes);
 
   /// @return false when a pivot of C_DD is not positive
   bool factor(const ProbeRows& probes, std::span<const int> nodes);
@@ -61,8 +44,8 @@ class PrescribedSolve {
   double* row(int i) { return factor_.data() + static_cast<std::ptrdiff_t>(i) * stride_; }
   const double* row(int i) const { return factor_.data() + static_cast<std::ptrdiff_t>(i) * stride_; }
 
-  const Model& model_;
-  const Body& body_;
+  const Model* model_;
+  const Body* body_;
   int stride_ = 0;
   int probe_rows_ = 0;
   int factored_ = 0;  // leading rows of factor_ that hold

@@ -1,0 +1,18 @@
+#include "sim/contact/none/none.hpp"
+
+namespace palpate::sim {
+namespace {
+
+std::unique_ptr<LawScratch> prepare_nothing(const Model&) {
+  return nullptr;
+}
+
+SolveReport solve_nothing(const Model&, const FreeState&, std::span<const double>, LawScratch&, Response&) {
+  return {};
+}
+
+}  // namespace
+
+constinit const ContactLaw kNone{.name = kNoContact, .prepare = prepare_nothing, .solve = solve_nothing};
+
+}  // namespace palpate::sim

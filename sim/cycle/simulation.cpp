@@ -1,0 +1,73 @@
+#include "sim/cycle/simulation.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include "sim/cycle/free_deformation.hpp"
+#include "sim/probe/probes.hpp"
+
+namespace palpate::sim {
+
+Simulation::Simulation(const Model& model)
+    : model_(&model), law_(model.law->prepare(model)), memory_(law_ ? model.law->memory_size(model) : 0) {
+  free_.probes.resize(model.probes.size());
+  response_.probe_forces.resize(model.probes.size(), Vec3(Vec3::Zero()));
+  free_.motion.reserve(model.bodies.size());
+  free_solves_.reserve(model.bodies.size());
+  for (int i = 0; i < std::ssize(model.bodies); ++i) {
+    const Eigen::Index size = 3 * model.bodies[i].rest.cols();
+    free_.motion.push_back({.displacement = Eigen::VectorXd::Zero(size)});
+    free_solves_.emplace_back(model, i, 0);
+    response_.displacement.emplace_back(Eigen::VectorXd::Zero(size));
+    response_.loads.on_body.emplace_back(Eigen::VectorXd::Zero(size));
+  }
+}
+
+void Simulation::reset() {
+  std::ranges::fill(memory_, 0.0);
+  clear_response();
+}
+
+FreeMotion Simulation::motion() const {
+  FreeMotion motion;
+  for (const Eigen::VectorXd& displacement : response_.displacement)
+    motion.push_back({.displacement = displacement, .moved = true});
+  return motion;
+}
+
+void Simulation::clear_response() {
+  for (Eigen::VectorXd& forces : response_.loads.on_body) forces.setZero();
+  for (Eigen::VectorXd& displacement : response_.displacement) displacement.setZero();
+  std::ranges::fill(response_.probe_forces, Vec3(Vec3::Zero()));
+  if (law_) std::ranges::fill(law_->summaries, PairSummary{});
+}
+
+SolveReport Simulation::solve(ProbeDisplacements probes) {
+  if (!std::ranges::all_of(probes,
+                           [](const ProbeDisplacement& probe) { return probe.from_rest.allFinite(); }))
+    return {.stop = Stop::NotFinite};
+  prescribe(*model_, probes, free_.probes);
+  SolveReport report = free_deformation(*model_, free_solves_, free_, response_);
+  if (report.stop == Stop::Converged && law_)
+    report = model_->law->solve(*model_, free_, memory_, *law_, response_);
+  const auto finite = [](const Vec3& force) { return force.allFinite(); };
+  if (report.stop == Stop::Converged && !std::ranges::all_of(response_.probe_forces, finite))
+    report.stop = Stop::NotFinite;
+  return report;
+}
+
+CycleResult Simulation::step(ProbeDisplacements probes, double dt) {
+  assert(probes.size() == model_->probes.size());
+  clear_response();
+  const SolveReport report = solve(probes);
+  if (report.stop != Stop::Converged)
+    clear_response();  // half a result would be felt as another contact model
+  else if (!memory_.empty())
+    model_->law->advance(*model_, *law_, dt, memory_);
+  for (Vec3& force : response_.probe_forces) force = -force;  // the body's reaction on the finger
+  CycleResult result{.probe_forces = response_.probe_forces, .solve = report};
+  if (law_) result.pairs = law_->summaries;
+  return result;
+}
+
+}  // namespace palpate::sim

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "sim/mesh/tet_mesh.hpp"
+
+namespace palpate::sim {
+
+/// Where a probe is: its displacement from the place where it rests on the skin [m]. It presses while the
+/// displacement along the probe's direction is positive; otherwise it has left the skin and feels nothing.
+struct ProbeDisplacement {
+  Vec3 from_rest = Vec3::Zero();
+};
+using ProbeDisplacements = std::span<const ProbeDisplacement>;  // one a probe, in the model's order
+
+/// What a probe prescribes in one cycle: W u = value along its axes, while it presses.
+struct ProbeRow {
+  bool pressing = false;
+  Vec3 value = Vec3::Zero();  // [m], one entry an axis: 3 when held, 1 when free
+};
+using ProbeRows = std::vector<ProbeRow>;  // one a probe
+
+/// How the touchable nodes of a body have moved before the bodies act on each other.
+struct BodyMotion {
+  Eigen::VectorXd displacement{};  // 3t [m]
+  bool moved = false;              // false: at rest
+};
+using FreeMotion = std::vector<BodyMotion>;  // one a body
+
+/// The bodies deformed by their probes alone: what a contact law starts from.
+struct FreeState {
+  ProbeRows probes{};
+  FreeMotion motion{};
+};
+
+}  // namespace palpate::sim

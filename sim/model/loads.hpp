@@ -1,0 +1,25 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "sim/model/model.hpp"
+
+namespace palpate::sim {
+
+/// Nodal forces on the touchable nodes of each body [N], 3t entries each, the probes' included.
+struct Loads {
+  std::vector<Eigen::VectorXd> on_body{};
+};
+
+/// What the bodies have come to in a cycle: first by the probes alone, then with what a contact law adds.
+struct Response {
+  Loads loads{};
+  std::vector<Eigen::VectorXd> displacement{};  // of the touchable nodes of each body, 3t [m]
+  std::vector<Vec3> probe_forces{};             // of each probe on its body [N]
+};
+
+/// Displacements of the drawn nodes of a body under loads [m], 3d entries, for frames. Outside the cycle.
+Eigen::VectorXf deform(const Model& model, int body, const Loads& loads);
+
+}  // namespace palpate::sim

@@ -1,0 +1,60 @@
+#include "sim/probe/kinds.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <vector>
+
+#include "sim/probe/pad/pad.hpp"
+#include "sim/probe/point/point.hpp"
+#include "sim/scene/accepted.hpp"
+
+namespace palpate::sim {
+namespace {
+
+constexpr std::array<const ProbeKind*, 2> kKinds{
+    &kPoint,
+    &kPad,
+};
+constexpr std::array<std::string_view, 2> kLaterKinds{"fingertip", "region"};
+
+const std::vector<std::string_view>& kind_names() {
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> all;
+    for (const ProbeKind* kind : kKinds) all.push_back(kind->keys.name);
+    return all;
+  }();
+  return names;
+}
+
+}  // namespace
+
+std::span<const ProbeKind* const> probe_kinds() {
+  return kKinds;
+}
+
+const ProbeKind& probe_kind(std::string_view name) {
+  const auto found = std::ranges::find(kKinds, name, [](const ProbeKind* kind) { return kind->keys.name; });
+  if (found == kKinds.end())
+    throw std::invalid_argument(
+        fmt::format("kind: found \"{}\", accepted: {}", name, fmt::join(kind_names(), ", ")));
+  return **found;
+}
+
+AcceptedWords probe_kind_words() {
+  return {.now = kind_names(), .later = kLaterKinds};
+}
+
+std::span<const ProbeKindKeys> probe_kind_keys() {
+  static const std::vector<ProbeKindKeys> keys = [] {
+    std::vector<ProbeKindKeys> all;
+    for (const ProbeKind* kind : kKinds) all.push_back(kind->keys);
+    return all;
+  }();
+  return keys;
+}
+
+}  // namespace palpate::sim

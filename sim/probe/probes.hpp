@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/mesh/surface.hpp"
+#include "sim/model/free_state.hpp"
+#include "sim/model/model.hpp"
+#include "sim/scene/scene.hpp"
+
+namespace palpate::sim {
+
+/// What every probe prescribes where it is now.
+void prescribe(const Model& model, ProbeDisplacements displacements, ProbeRows& rows);
+
+/// Puts a probe on a body: at the surface node that the scene names, or nearest to the place that it names,
+/// and the nodes that the probe's kind holds from there. Sets kind, nodes, weights and at, nodes still as
+/// mesh nodes. Throws std::invalid_argument for an unknown node number and for a node that is fixed.
+void place_probe(const ProbeSpec& spec, const TetMesh& mesh, const Surface& surface,
+                 const std::vector<int>& fixed, Probe& probe);
+
+}  // namespace palpate::sim

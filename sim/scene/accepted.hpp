@@ -1,0 +1,41 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace palpate::sim {
+
+// What a scene may name stands in lists of rooms above this one. The reader needs of them no more than the
+// words, which are declared here and defined beside each list.
+
+/// Words that a key of a scene accepts, and words of a later version, which are refused as such.
+struct AcceptedWords {
+  std::span<const std::string_view> now{}, later{};
+};
+
+/// What contact.model accepts. Defined in sim/contact/laws.cpp.
+AcceptedWords contact_model_words();
+
+/// What probes.NAME.kind accepts. Defined in sim/probe/kinds.cpp.
+AcceptedWords probe_kind_words();
+
+/// What the scene reader knows of a kind of probe.
+struct ProbeKindKeys {
+  std::string_view name{};    // as probes.NAME.kind says it
+  bool takes_radius = false;  // true: radius is required; false: refused
+};
+
+/// Every kind. Defined in sim/probe/kinds.cpp.
+std::span<const ProbeKindKeys> probe_kind_keys();
+
+/// A key that calls for what this version does not simulate.
+struct LaterKey {
+  std::string_view table{};  // "bodies" (of each body) or "contact"
+  std::string_view key{};
+  std::string_view calls_for{};  // "viscosity"
+};
+
+/// Every such key. Defined in sim/effects/effects.cpp.
+std::span<const LaterKey> later_keys();
+
+}  // namespace palpate::sim

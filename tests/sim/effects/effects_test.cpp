@@ -1,0 +1,62 @@
+#include "sim/effects/effects.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "tests/sim/support/two_boxes.hpp"
+
+namespace palpate::sim {
+namespace {
+
+using test::compile_scene;
+using test::write_two_boxes;
+
+EffectState contact_of(std::vector<Override> overrides) {
+  return effects().front()->state(load_scene(write_two_boxes(), overrides));
+}
+
+TEST(Effects, AreListedInTheOrderOfTheirSlotsWithNamesOfTheirOwn) {
+  std::vector<std::string_view> names;
+  for (const Effect* effect : effects()) names.push_back(effect->name);
+  EXPECT_THAT(names, testing::ElementsAre("contact", "friction", "viscosity", "near-incompressibility",
+                                          "large deformation"));
+  const std::set<std::string_view> known(names.begin(), names.end());
+  for (const Effect* effect : effects())
+    for (const std::string_view other : effect->excludes) EXPECT_TRUE(known.contains(other)) << other;
+}
+
+TEST(Effects, SayWhyContactIsOnOrOff) {
+  EXPECT_TRUE(contact_of({}).on);
+  EXPECT_EQ(contact_of({}).reason, "contact.model = \"kuroda\" between upper and lower");
+  EXPECT_EQ(contact_of({{"contact.model", "none"}}).reason, "contact.model = \"none\"");
+  EXPECT_EQ(contact_of({{"contact.touch", "[]"}}).reason, "no pair of bodies in contact.touch");
+  const EffectState absent = contact_of({{"bodies.lower.present", "false"}});
+  EXPECT_FALSE(absent.on);
+  EXPECT_EQ(absent.reason, "of each pair in contact.touch one body is not present");
+}
+
+TEST(Effects, ThatAreOnCanBeTakenOutOfAModel) {
+  const Model model = compile_scene(write_two_boxes());
+  EXPECT_FALSE(model.pairs.empty());
+  EXPECT_TRUE(effects().front()->without(model).pairs.empty());
+}
+
+TEST(Effects, OfLaterVersionsAreRefusedByTheirKeys) {
+  EXPECT_EQ(later_keys().size(), 4U);
+  for (const LaterKey& later : later_keys()) {
+    const std::string table = later.table == "bodies" ? "bodies.upper" : std::string(later.table);
+    const std::vector<Override> calling{{table + "." + std::string(later.key), "1"}};
+    EXPECT_THAT([&] { load_scene(write_two_boxes(), calling); },
+                testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr(
+                    fmt::format("{}.{}: calls for {}, which this version does not simulate", table, later.key,
+                                later.calls_for))));
+  }
+}
+
+}  // namespace
+}  // namespace palpate::sim
