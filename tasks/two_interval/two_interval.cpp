@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "analysis/statistics/dprime.hpp"
+#include "analysis/detection/dprime.hpp"
 
 namespace palpate::tasks {
 namespace {

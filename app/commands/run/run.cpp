@@ -11,7 +11,7 @@
 
 #include "app/command_line/interrupt.hpp"
 #include "app/command_line/user_cache.hpp"
-#include "app/web/server/host.hpp"
+#include "app/web/host/host.hpp"
 #include "base/machine/machine.hpp"
 #include "devices/devices.hpp"
 #include "sim/compile/compile.hpp"

@@ -7,6 +7,7 @@
 #include "tests/trials/support/sitting.hpp"
 #include "tests/trials/support/up_down.hpp"
 #include "trials/session/session.hpp"
+#include "trials/study/verify.hpp"
 
 namespace palpate::trials {
 namespace {

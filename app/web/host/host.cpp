@@ -1,4 +1,4 @@
-#include "app/web/server/host.hpp"
+#include "app/web/host/host.hpp"
 
 #include <fmt/format.h>
 
