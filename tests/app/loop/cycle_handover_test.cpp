@@ -6,6 +6,7 @@
 #include <chrono>
 #include <thread>
 
+#include "sim/cycle/simulation.hpp"
 #include "tests/app/support/palpation.hpp"
 
 namespace palpate::app {
