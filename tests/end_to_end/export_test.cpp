@@ -125,9 +125,9 @@ TEST_F(Export, OverwritesNothing) {
 TEST_F(Export, AFullDiskLeavesNothing) {
   for (const char* as : {"csv", "json", "psych-ds", "bids"}) {
     // Files may not grow beyond 4 blocks of 1024 bytes.
-    const std::string command = "ulimit -f 4; trap '' XFSZ; exec " + palpate::test::program_file() + " export " +
-                                file("a.db") + " --as " + as + " --out " + file("x/out") + " 2> " +
-                                file("said");
+    const std::string command = "ulimit -f 4; trap '' XFSZ; exec " + palpate::test::program_file() +
+                                " export " + file("a.db") + " --as " + as + " --out " + file("x/out") +
+                                " 2> " + file("said");
     const int status = std::system(("bash -c \"" + command + "\" > /dev/null").c_str());
     EXPECT_EQ(WEXITSTATUS(status), 3) << as;
     EXPECT_THAT(read(folder_ / "said"), HasSubstr("cannot write: File too large")) << as;

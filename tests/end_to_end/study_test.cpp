@@ -262,8 +262,8 @@ TEST_F(StudyEndToEnd, AFullDiskIsSaidAndLosesNothing) {
   // does not fit.
   const auto blocks = std::filesystem::file_size(folder_ / "a.db") / 1024 + 8;
   const std::string command = "ulimit -f " + std::to_string(blocks) + "; trap '' XFSZ; exec " +
-                              palpate::test::program_file() + " simulate " + kProtocol + " --study " + file("a.db") +
-                              " --examinees 6 --seed 1 2> " + file("said");
+                              palpate::test::program_file() + " simulate " + kProtocol + " --study " +
+                              file("a.db") + " --examinees 6 --seed 1 2> " + file("said");
   const int status = std::system(("bash -c \"" + command + "\" > /dev/null").c_str());
   EXPECT_EQ(WEXITSTATUS(status), 3);
   EXPECT_THAT(read(folder_ / "said"), HasSubstr("every answer given before is kept"));

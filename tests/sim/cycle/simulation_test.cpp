@@ -1,3 +1,5 @@
+#include "sim/cycle/simulation.hpp"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -6,7 +8,6 @@
 #include <random>
 
 #include "sim/cycle/press.hpp"
-#include "sim/cycle/simulation.hpp"
 #include "sim/elasticity/static_solve.hpp"
 #include "tests/sim/support/two_boxes.hpp"
 
