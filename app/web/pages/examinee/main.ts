@@ -184,18 +184,16 @@ function showFrame(jpeg: Blob): void {
     .finally(() => { decoding = false; });
 }
 
-/** Which interval a key answers with; 0 for none. */
-function choiceOf(key: string): number {
-  if (key === "1" || key === "ArrowLeft") return 1;
-  if (key === "2" || key === "ArrowRight") return 2;
-  return key === "3" ? 3 : 0;
+/** The number of the choice that a key gives; 0 for none. */
+function choiceOf(key: string, shown: Phase): number {
+  return shown.choices.findIndex((choice) => choice.keys.includes(key)) + 1;
 }
 
 function keyDown(event: KeyboardEvent): void {
   if (event.repeat || event.ctrlKey || event.altKey || event.metaKey || !phase) return;
   if (event.target instanceof HTMLTextAreaElement) return;
-  const choice = choiceOf(event.key);
-  if (choice > 0 && choice <= phase.intervals) return answerKey(event, choice);
+  const choice = choiceOf(event.key, phase);
+  if (choice > 0) return answerKey(event, choice);
   if (event.key === " " && !(event.target instanceof HTMLButtonElement)) {
     const action = viewOf(phase).actions.find((a) => a.key === "Space");
     if (!action) return;

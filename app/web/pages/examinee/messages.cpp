@@ -33,6 +33,13 @@ std::optional<ReplyKind> kind_of(const std::string& type) {
   return std::nullopt;
 }
 
+nlohmann::ordered_json choices_json(std::span<const trials::Choice> choices) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const trials::Choice& choice : choices)
+    list.push_back({{"label", choice.label}, {"keys", choice.keys}});
+  return list;
+}
+
 }  // namespace
 
 std::string encode(const PhaseMessage& message) {
@@ -48,7 +55,10 @@ std::string encode(const PhaseMessage& message) {
                                        {"pseudo_haptic", message.pseudo_haptic},
                                        {"picture", message.picture},
                                        {"notice", message.notice},
-                                       {"presses", message.presses}};
+                                       {"presses", message.presses},
+                                       {"choices", choices_json(message.choices)},
+                                       {"hint", message.hint},
+                                       {"spoken_hint", message.spoken_hint}};
   return json.dump();
 }
 

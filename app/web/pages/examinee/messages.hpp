@@ -3,10 +3,12 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
 #include "app/loop/interval_engine.hpp"
+#include "trials/task/task.hpp"
 
 // What page and server say to each other; page/messages.ts is the other half. While an interval runs, nothing
 // but fixed-size messages at a fixed rate goes to the page, and they hold nothing but the pointer's place and
@@ -27,6 +29,8 @@ struct PhaseMessage {
   bool picture = false;  // whether frames follow
   std::string notice{};  // a sentence to show first; may be empty
   std::array<int, 2> presses{1, 1};
+  std::span<const trials::Choice> choices{};  // what can be answered; answer k is choices[k - 1]
+  std::string_view hint{}, spoken_hint{};     // how to answer, to read and to hear
 };
 std::string encode(const PhaseMessage& message);
 

@@ -3,6 +3,12 @@
 export type PhaseName =
   | "welcome" | "gesture" | "ready" | "interval" | "pause" | "again" | "question" | "thanks" | "end" | "fault";
 
+/** One answer that is offered, and the keys that give it. */
+export interface Choice {
+  label: string;
+  keys: string[];
+}
+
 /** The server decides what is shown; the page holds no state of the session. */
 export interface Phase {
   type: "phase";
@@ -18,6 +24,9 @@ export interface Phase {
   picture: boolean;  // whether frames of the organs come
   notice: string;    // a sentence to show first; often empty
   presses: [number, number];
+  choices: Choice[];    // what can be answered: answer k is choices[k - 1]
+  hint: string;         // how to answer
+  spoken_hint: string;  // the same, for a screen reader
 }
 
 export interface Probe {

@@ -72,32 +72,10 @@ bool Sitting::complete() const {
 
 // ---- What is shown ----
 
-std::string_view Sitting::phase_name() const {
-  switch (stage_) {
-    case Stage::Welcome:
-      return "welcome";
-    case Stage::Gesture:
-      return "gesture";
-    case Stage::Trial:
-      return trials::to_string(session_.phase());
-    case Stage::Again:
-      return "again";
-    case Stage::Thanks:
-      return "thanks";
-    case Stage::End:
-      return "end";
-    case Stage::Fault:
-      return "fault";
-  }
-  return "";
-}
-
 PhaseMessage Sitting::message() const {
   const trials::SessionView view = session_.view();
-  const bool in_interval = stage_ == Stage::Trial && view.phase == trials::Phase::Interval;
-  const bool organs = protocol_.during_interval == trials::DuringInterval::Organs;
   return {.id = id_,
-          .phase = phase_name(),
+          .phase = shown_name(stage_, view.phase),
           .interval = view.interval,
           .intervals = view.intervals,
           .block = view.block,
@@ -105,9 +83,17 @@ PhaseMessage Sitting::message() const {
           .question = view.question,
           .run_mode = trials::to_string(view.run_mode),
           .pseudo_haptic = view.pseudo_haptic,
-          .picture = frames_ != nullptr && (stage_ == Stage::Gesture || (in_interval && organs)),
+          .picture = frames_ != nullptr && is_pressing(stage_, view.phase) && shows_organs(),
           .notice = notice_,
-          .presses = {protocol_.exploration.least_presses, protocol_.exploration.most_presses}};
+          .presses = {protocol_.exploration.least_presses, protocol_.exploration.most_presses},
+          .choices = view.choices,
+          .hint = view.hint,
+          .spoken_hint = view.spoken_hint};
+}
+
+/// In practice always, in an interval where the protocol says so.
+bool Sitting::shows_organs() const {
+  return stage_ == Stage::Gesture || protocol_.during_interval == trials::DuringInterval::Organs;
 }
 
 void Sitting::show() {
@@ -163,8 +149,7 @@ void Sitting::run_engine(const sim::Model& model, const IntervalLimits& limits) 
   engine_ = std::make_unique<IntervalEngine>(model, limits, loop_.device());
   loop_.forget_hand();
   loop_.run(*engine_);
-  const bool organs = protocol_.during_interval == trials::DuringInterval::Organs;
-  if (frames_ != nullptr && (stage_ == Stage::Gesture || organs)) frames_->show(&engine_->felt());
+  if (frames_ != nullptr && shows_organs()) frames_->show(&engine_->felt());
 }
 
 /// The engine stays until the next one is made, for its trace.
@@ -221,13 +206,12 @@ void Sitting::poll(Clock::time_point now) {
     if (next == Next::Interval) begin_interval();
     return;
   }
-  const bool interval = stage_ == Stage::Trial && session_.phase() == trials::Phase::Interval;
-  if (!interval && stage_ != Stage::Gesture) return;
+  if (!is_pressing(stage_, session_.phase())) return;
   const IntervalState state = loop_.state();
   if (connected_) outlets_.binary(encode_probe(state, ++sequence_));
   if (!state.begun) onset_utc_ = base::utc_now();  // the trace begins when the hand has left the skin
   if (state.fault != Fault::None) return report_fault();
-  if (interval && state.over) end_interval();
+  if (stage_ == Stage::Trial && state.over) end_interval();
 }
 
 // ---- What the page says ----
@@ -243,22 +227,19 @@ void Sitting::text_from_page(std::string_view text) {
 }
 
 void Sitting::receive(const Reply& reply) {
-  const trials::Phase phase = session_.phase();
+  if (!takes(stage_, session_.phase(), reply.kind)) return;
   switch (reply.kind) {
     case ReplyKind::Continue:
       return go_on();
     case ReplyKind::Finish:
-      if (stage_ == Stage::Trial && phase == trials::Phase::Interval && loop_.state().may_finish)
-        end_interval();
+      if (loop_.state().may_finish) end_interval();
       return;
     case ReplyKind::Answer:
-      if (stage_ == Stage::Trial && phase == trials::Phase::Question) answer(reply);
-      return;
+      return answer(reply);
     case ReplyKind::Early:
       return note_early_key(reply);
     case ReplyKind::Strategy:
-      if (stage_ != Stage::Thanks) return;
-      if (!reply.text.empty()) session_.note("strategy", reply.text);
+      if (!reply.text.empty()) session_.note(trials::event_kind::kStrategy, reply.text);
       enter(Stage::End);
       outlets_.finished();
       return;
@@ -266,27 +247,22 @@ void Sitting::receive(const Reply& reply) {
 }
 
 void Sitting::go_on() {
-  switch (stage_) {
-    case Stage::Welcome:
+  switch (onward_from(stage_, session_.phase())) {
+    case Onward::ToGesture:
       notice_.clear();
       outlets_.technician("The examinee is practising the movement.");
       return enter(Stage::Gesture);
-    case Stage::Gesture:
-    case Stage::Fault:
+    case Onward::ToTrial:
       return enter(Stage::Trial);
-    case Stage::Again:
+    case Onward::IntoInterval:
       return begin_interval();
-    case Stage::Trial:
-      if (session_.phase() == trials::Phase::Ready) begin_interval();
-      return;
-    case Stage::Thanks:
-    case Stage::End:
+    case Onward::Nowhere:
       return;
   }
 }
 
 void Sitting::answer(const Reply& reply) {
-  if (reply.choice < 1 || reply.choice > session_.view().intervals) return;
+  if (reply.choice < 1 || reply.choice > std::ssize(session_.view().choices)) return;
   // The page measures from the painted question. It cannot have taken longer than we know of.
   const double waited = std::chrono::duration<double>(Clock::now() - shown_).count();
   const double measured = reply.milliseconds * 1e-3;
@@ -301,11 +277,14 @@ void Sitting::answer(const Reply& reply) {
 }
 
 void Sitting::note_early_key(const Reply& reply) {
-  const bool single = reply.text == "ArrowLeft" || reply.text == "ArrowRight" || reply.text.size() == 1;
-  if (stage_ != Stage::Trial || !single || ++early_keys_ > kMostEarlyKeys) return;
-  session_.note("early key",
-                fmt::format("{} during {}, {:.3f} s after it was shown", reply.text, phase_name(),
-                            std::chrono::duration<double>(Clock::now() - shown_).count()));
+  const bool answers = std::ranges::any_of(session_.view().choices, [&](const trials::Choice& choice) {
+    return std::ranges::find(choice.keys, reply.text) != choice.keys.end();
+  });
+  if (!answers || ++early_keys_ > kMostEarlyKeys) return;
+  const double after = std::chrono::duration<double>(Clock::now() - shown_).count();
+  session_.note(trials::event_kind::kEarlyKey,
+                fmt::format("{} during {}, {:.3f} s after it was shown", reply.text,
+                            shown_name(stage_, session_.phase()), after));
 }
 
 void Sitting::tell_progress() {

@@ -9,6 +9,7 @@
 
 #include "app/loop/haptic_loop.hpp"
 #include "app/web/pages/examinee/messages.hpp"
+#include "app/web/pages/examinee/stages.hpp"
 #include "app/web/server/frames.hpp"
 #include "sim/model/model.hpp"
 #include "trials/protocol/stimuli.hpp"
@@ -53,13 +54,12 @@ class Sitting {
   bool complete() const;  // every question is answered
 
  private:
-  enum class Stage { Welcome, Gesture, Trial, Again, Thanks, End, Fault };
   enum class Next { Nothing, Outcome, Interval };  // what is due by the clock
 
   void enter(Stage stage);
   void show();
   PhaseMessage message() const;
-  std::string_view phase_name() const;
+  bool shows_organs() const;
   void schedule(Next next, std::chrono::milliseconds after);
 
   void run_engine(const sim::Model& model, const IntervalLimits& limits);

@@ -110,16 +110,14 @@ function again(phase: Phase): View {
 }
 
 function question(phase: Phase): View {
-  const actions: Action[] = [];
-  for (let choice = 1; choice <= phase.intervals; ++choice)
-    actions.push({ label: `The ${ordinals[choice] ?? choice} interval`, key: `${choice}`, primary: true, does: "answer", choice });
   return {
     title: phase.question,
     paragraphs: [],
-    hint: phase.intervals === 2 ? "Press 1 or 2, the arrow keys ← →, or click." : "Press the interval’s number, or click.",
+    hint: phase.hint,
     stage: false,
-    spoken: `${phase.question} Press 1 for the first interval, 2 for the second.`,
-    actions,
+    spoken: `${phase.question} ${phase.spoken_hint}`,
+    actions: phase.choices.map((choice, k) => (
+      { label: choice.label, key: choice.keys[0] ?? "", primary: true, does: "answer", choice: k + 1 })),
   };
 }
 

@@ -45,6 +45,8 @@ TEST(Reply, ThatOursNeverSendsIsNone) {
 }
 
 TEST(PhaseMessage, SaysWhatIsToBeShownAndNothingElse) {
+  constexpr std::string_view kKeys[] = {"1", "ArrowLeft"};
+  const trials::Choice choices[] = {{.label = "The first", .keys = kKeys}};
   EXPECT_EQ(
       encode(PhaseMessage{.id = 3,
                           .phase = "question",
@@ -52,9 +54,13 @@ TEST(PhaseMessage, SaysWhatIsToBeShownAndNothingElse) {
                           .blocks = 2,
                           .question = "Which?",
                           .run_mode = "pilot",
-                          .presses = {1, 5}}),
+                          .presses = {1, 5},
+                          .choices = choices,
+                          .hint = "Press 1.",
+                          .spoken_hint = "Press one."}),
       R"({"type":"phase","id":3,"phase":"question","interval":0,"intervals":2,"block":1,"blocks":2,)"
-      R"("question":"Which?","run_mode":"pilot","pseudo_haptic":true,"picture":false,"notice":"","presses":[1,5]})");
+      R"("question":"Which?","run_mode":"pilot","pseudo_haptic":true,"picture":false,"notice":"","presses":[1,5],)"
+      R"("choices":[{"label":"The first","keys":["1","ArrowLeft"]}],"hint":"Press 1.","spoken_hint":"Press one."})");
 }
 
 }  // namespace
