@@ -27,17 +27,17 @@ if(PALPATE_SANITIZE)
   endif()
 endif()
 
-# With PALPATE_GROUPED, files of one folder are compiled together, up to 16 at a time: most of the time goes into the
-# headers of libraries, which are then read once a group. Names of unnamed namespaces are unique in their folder; a
-# source that cannot be (property SKIP_UNITY_BUILD_INCLUSION) is compiled alone. A group includes its files by their
-# place in the project, so that it is the same text in every clone and ccache serves them all.
+# With PALPATE_GROUPED, files of one folder are compiled together, up to 16 at a time, and the rooms of one kind
+# (app/commands/NAME) as if they were one folder: most of the time goes into the headers of libraries, which are then
+# read once a group. Names of unnamed namespaces are unique there; a source that cannot keep to that (property
+# SKIP_UNITY_BUILD_INCLUSION) is compiled alone. A group includes its files by their place in the project, so that it
+# is the same text in every clone and ccache serves them all.
 # Sets `result` to what the target is to be compiled from.
 function(palpate_grouped result target)
   if(NOT PALPATE_GROUPED)
     set(${result} ${ARGN} PARENT_SCOPE)
     return()
   endif()
-  set(place 0)
   set(groups "")
   set(sources "")
   foreach(source IN LISTS ARGN)
@@ -48,9 +48,13 @@ function(palpate_grouped result target)
     endif()
     cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE relative)
     cmake_path(GET relative PARENT_PATH folder)
+    string(REGEX MATCH "^(tests/[^/]+/[^/]+|[^/]+/[^/]+|[^/]+)" folder ${folder})  # rooms of one kind go together
     string(REPLACE "/" "_" folder ${folder})
-    math(EXPR part "${place} / 16")
-    math(EXPR place "${place} + 1")
+    if(NOT DEFINED place_${folder})
+      set(place_${folder} 0)
+    endif()
+    math(EXPR part "${place_${folder}} / 16")
+    math(EXPR place_${folder} "${place_${folder}} + 1")
     list(APPEND groups ${folder}_${part})
     string(APPEND text_${folder}_${part} "#include \"${relative}\"\n")
   endforeach()

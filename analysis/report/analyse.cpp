@@ -12,7 +12,6 @@
 namespace palpate::analysis {
 namespace {
 
-constexpr double kChance = 0.5;  // of two intervals
 constexpr std::size_t kLargestSignedRank = 5000;
 
 // Quantile of sorted values, linear between them (type 7 of Hyndman & Fan 1996, R's default).
@@ -83,7 +82,7 @@ void count_all(const Selection& selection, StudyReport& report) {
 
 // How unlike examinees are, as far as answers can tell: two examinees at least, two answers each, not all
 // alike.
-std::optional<BetaBinomial> spread_of(const CellResult& cell, double level) {
+std::optional<BetaBinomial> spread_of(const CellResult& cell, double chance, double level) {
   std::vector<ExamineeCount> answered;
   for (const ExamineeCount& count : cell.by_examinee)
     if (count.trials > 0) answered.push_back(count);
@@ -91,7 +90,7 @@ std::optional<BetaBinomial> spread_of(const CellResult& cell, double level) {
                                     [](const ExamineeCount& count) { return count.trials > 1; });
   if (answered.size() < 2 || !repeated || cell.correct == 0 || cell.correct == cell.trials)
     return std::nullopt;
-  return beta_binomial(answered, {.chance = kChance, .corrected = false, .level = level});
+  return beta_binomial(answered, {.chance = chance, .corrected = false, .level = level});
 }
 
 void test_cell(CellResult& cell, const Counts& counts, std::size_t index, const StudyReport& report) {
@@ -101,14 +100,15 @@ void test_cell(CellResult& cell, const Counts& counts, std::size_t index, const 
   std::vector<OrderStratum> sittings;
   for (const auto& [session, sitting] : counts.sittings[index]) sittings.push_back(sitting);
   cell.primary = primary_test(report.design, sittings, level, report.look);
-  cell.spread = spread_of(cell, level);
+  cell.spread = spread_of(cell, report.design.chance, level);
   cell.d_prime = dprime_2ifc(cell.correct, cell.trials, DPrimeCorrection::HalfTrial, level);
   cell.bias = interval_bias(orders, DPrimeCorrection::HalfTrial, level);
   // Each examinee weighs the same here, so one who has only begun has no place.
   std::vector<ExamineeCount> answered;
   for (std::size_t i = 0; i < report.examinees.size(); ++i)
     if (report.is_complete[i] && cell.by_examinee[i].trials > 0) answered.push_back(cell.by_examinee[i]);
-  if (!answered.empty()) cell.by_people = examinee_level_test(answered, kChance, {.level = level});
+  if (!answered.empty())
+    cell.by_people = examinee_level_test(answered, report.design.chance, {.level = level});
 }
 
 CellComparison compare(const CellResult& first, const CellResult& second, const StudyReport& report) {

@@ -130,7 +130,7 @@ std::string answers_picture(const StudyReport& report) {
   for (std::size_t i = 0; i < report.cells.size(); ++i) {
     marks += row(report.cells[i], scale, kTop + kRow * static_cast<double>(i), i);
   }
-  const double chance = scale.axis.at((scale.axis.low + scale.axis.high) / 2);
+  const double chance = scale.axis.at(report.design.chance * scale.axis.high);
   if (!report.withheld) marks += line(chance, bottom, chance, kTop - 52, "class=\"chance\"");
   return picture("answers", kWidth, bottom + 52, "Correct answers against the critical number",
                  description(report), marks);

@@ -72,8 +72,9 @@ std::string histogram(const StudyReport& report) {
   Axis x = nice_axis(0, 100, 5, false, "correct answers (%)");
   x.pixel_low = kLeft, x.pixel_high = kRight;
   const double bottom = kTop + kPanel * static_cast<double>(report.cells.size());
+  const double chance = x.at(100 * report.design.chance);
   std::string marks =
-      horizontal_axis(x, bottom, kTop - 20) + line(x.at(50), bottom, x.at(50), kTop - 20, "class=\"chance\"");
+      horizontal_axis(x, bottom, kTop - 20) + line(chance, bottom, chance, kTop - 20, "class=\"chance\"");
   for (std::size_t c = 0; c < report.cells.size(); ++c) {
     std::array<long, kBins> counts{};
     for (const ExamineeCount& count : report.cells[c].by_examinee) {
@@ -110,8 +111,9 @@ std::string examinees_picture(const StudyReport& report) {
   axis.pixel_low = kLeft;
   axis.pixel_high = kRight;
   const double bottom = kTop + height * static_cast<double>(report.examinees.size()) + 6;
+  const double chance = axis.at(100 * report.design.chance);
   std::string marks = legend(report) + horizontal_axis(axis, bottom, kTop - 8) +
-                      line(axis.at(50), bottom, axis.at(50), kTop - 8, "class=\"chance\"");
+                      line(chance, bottom, chance, kTop - 8, "class=\"chance\"");
   for (std::size_t i = 0; i < report.examinees.size(); ++i) {
     const double y = kTop + height * (static_cast<double>(i) + 0.5);
     if (labelled || i % 10 == 0)

@@ -17,12 +17,12 @@ namespace {
 
 constexpr long kStudies = 10'000;
 
-/// Parameters of the beta distribution of the examinees' probabilities.
-struct Spread {
+/// The beta distribution of the examinees' probabilities.
+struct BetaShape {
   double a = 0.0, b = 0.0;
 };
 
-Spread spread_of(const Power& asked) {
+BetaShape beta_of(const Power& asked) {
   const double sum = 1 / asked.overdispersion - 1;
   return {.a = asked.probability * sum, .b = (1 - asked.probability) * sum};
 }
@@ -31,12 +31,12 @@ std::vector<CriticalNumber> regions(const StudyDesign& design) {
   const long each = design.trials_per_examinee_per_cell;
   const Side side = side_from_name(design.side);
   if (design.looks.empty())
-    return {critical_number(each * design.planned_examinees, 0.5, design.alpha, side)};
+    return {critical_number(each * design.planned_examinees, design.chance, design.alpha, side)};
   std::vector<long> trials;
   for (const int look : design.looks) trials.push_back(each * look);
   std::vector<CriticalNumber> all;
   for (const PlannedLook& look :
-       planned_looks(trials, 0.5, design.alpha, side, spending_from_name(design.spending)))
+       planned_looks(trials, design.chance, design.alpha, side, spending_from_name(design.spending)))
     all.push_back(look.critical);
   return all;
 }
@@ -70,7 +70,7 @@ OrderStratum balanced_sitting(long trials, double probability, boost::random::mt
 
 double simulated_power(const StudyDesign& design, const Power& asked, std::uint64_t seed) {
   boost::random::mt19937_64 random(seed);
-  const auto [a, b] = asked.overdispersion > 0 ? spread_of(asked) : Spread{1, 1};
+  const auto [a, b] = asked.overdispersion > 0 ? beta_of(asked) : BetaShape{1, 1};
   boost::random::beta_distribution<> people(a, b);
   long found = 0;
   std::vector<OrderStratum> sittings(static_cast<std::size_t>(design.planned_examinees));

@@ -7,8 +7,6 @@
 namespace palpate::analysis {
 namespace {
 
-constexpr double kChance = 0.5;  // of two intervals
-
 PlannedLook planned_look_at(const StudyDesign& design, const LookTaken& look, long trials, Side side) {
   std::vector<long> counts;
   for (int i = 0; i + 1 < look.number; ++i) {
@@ -19,7 +17,7 @@ PlannedLook planned_look_at(const StudyDesign& design, const LookTaken& look, lo
   const std::size_t now = counts.size() - 1;
   const long whole = long{design.planned_examinees} * design.trials_per_examinee_per_cell;
   if (look.number < look.of) counts.push_back(std::max(whole, trials + 1));
-  return planned_looks(counts, kChance, design.alpha, side, spending_from_name(design.spending))[now];
+  return planned_looks(counts, design.chance, design.alpha, side, spending_from_name(design.spending))[now];
 }
 
 }  // namespace
@@ -41,12 +39,12 @@ std::optional<LookTaken> look_due(const StudyDesign& design, long complete) {
 PrimaryTest primary_test(const StudyDesign& design, std::span<const OrderStratum> sittings, double level,
                          const std::optional<LookTaken>& look) {
   PrimaryTest test{
-      .name = design.primary, .chance = kChance, .side = side_from_name(design.side), .look = look};
+      .name = design.primary, .chance = design.chance, .side = side_from_name(design.side), .look = look};
   for (const OrderStratum& sitting : sittings) {
     test.correct += sitting.correct;
     test.trials += sitting.trials;
   }
-  const BinomialTest binomial = binomial_test(test.correct, test.trials, kChance, test.side, level);
+  const BinomialTest binomial = binomial_test(test.correct, test.trials, design.chance, test.side, level);
   test.proportion = binomial.proportion;
   test.interval = binomial.interval;
   test.bound = binomial.bound;
@@ -61,7 +59,7 @@ PrimaryTest primary_test(const StudyDesign& design, std::span<const OrderStratum
     return test;
   }
   test.p = binomial.p;
-  test.under_guessing = binomial_counts(test.trials, kChance);
+  test.under_guessing = binomial_counts(test.trials, design.chance);
   test.method = binomial.method;
   if (look) {
     const PlannedLook at = planned_look_at(design, *look, test.trials, test.side);
@@ -69,7 +67,7 @@ PrimaryTest primary_test(const StudyDesign& design, std::span<const OrderStratum
     test.size = at.size;
     return test;
   }
-  test.critical = critical_number(test.trials, kChance, design.alpha, test.side);
+  test.critical = critical_number(test.trials, design.chance, design.alpha, test.side);
   test.size = test.critical.size;
   return test;
 }

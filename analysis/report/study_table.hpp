@@ -24,6 +24,7 @@ struct StudyDesign {
   std::string protocol_text{};    // the file as it was run, shown in the report's appendix; may be empty
   std::string question{};
   std::string task = "2IFC";
+  double chance = 0.5;                    // share correct of an examinee who feels nothing
   std::vector<std::string> conditions{};  // those compared, in the protocol's order: "soft", "hard"
   std::string correct_condition{};        // the one whose interval is the correct answer
   std::vector<std::string> factors{};     // "contact.model"; empty: one cell

@@ -39,12 +39,14 @@ void require_size(const trials::Protocol& protocol, bool coin) {
                   coin ? "" : " with balanced orders"));
 }
 
-// True proportions between chance and certainty, in steps of 5 %, on the side that the test looks at.
-std::vector<double> proportions(Side side) {
+// True proportions between chance and certainty, at the multiples of 5 %, on the side that the test looks at.
+std::vector<double> proportions(double chance, Side side) {
   std::vector<double> values;
-  for (int percent = 55; percent <= 95; percent += 5) {
-    values.push_back(side == Side::Less ? (100 - percent) / 100.0 : percent / 100.0);
+  for (int percent = 5; percent <= 95; percent += 5) {
+    const double share = percent / 100.0;
+    if (side == Side::Less ? share < chance : share > chance) values.push_back(share);
   }
+  if (side == Side::Less) std::ranges::reverse(values);
   return values;
 }
 
@@ -197,7 +199,7 @@ StudyPlan study_plan(const trials::Protocol& protocol, double overdispersion) {
   const double chance = protocol.task->chance, alpha = design.alpha;
   const Side side = side_from_name(design.side);
   const bool coin = protocol.interval_order == trials::IntervalOrder::Coin;
-  for (const double probability : proportions(side)) {
+  for (const double probability : proportions(chance, side)) {
     PowerRow row{.alike = primary_power(design, probability)};
     row.differing = overdispersion == 0 ? row.alike : primary_power(design, probability, overdispersion);
     row.d_prime = protocol.task->d_prime(std::lround(100 * probability), 100);

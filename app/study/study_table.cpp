@@ -28,6 +28,7 @@ analysis::StudyDesign design_of(const trials::Protocol& protocol) {
       .protocol_text = protocol.text,
       .question = protocol.question,
       .task = std::string(protocol.task->name),
+      .chance = protocol.task->chance,
       .correct_condition = protocol.conditions[protocol.correct].name,
       .trials_per_examinee_per_cell = protocol.trials_per_examinee_per_cell,
       .planned_examinees = protocol.planned_examinees,

@@ -181,8 +181,6 @@ struct ProtocolCheck {
   analysis::Power power{};  // when an effect of middling size is there
 };
 
-constexpr double kProbabilityOfAnEffect = 0.75;  // half way between chance and certainty
-
 /// Reads everything that a session will need, so that what is sound here also runs.
 ProtocolCheck check_protocol(const std::string& file) {
   ProtocolCheck check{.protocol = trials::load_protocol(file)};
@@ -190,9 +188,9 @@ ProtocolCheck check_protocol(const std::string& file) {
   trials::compile_stimuli(check.protocol, cache);
   check.plan = trials::describe(check.protocol);
   check.regions = planned_regions(check.protocol);
-  const bool less = check.protocol.analysis.side == trials::Side::Less;
-  check.power = analysis::primary_power(design_of(check.protocol),
-                                        less ? 1.0 - kProbabilityOfAnEffect : kProbabilityOfAnEffect);
+  const double certain = check.protocol.analysis.side == trials::Side::Less ? 0.0 : 1.0;
+  const double half_way = 0.5 * (check.protocol.task->chance + certain);
+  check.power = analysis::primary_power(design_of(check.protocol), half_way);
   return check;
 }
 
@@ -302,7 +300,7 @@ void run_check(const CheckOptions& options) {
   print(check_protocol(options.input.file), options.format);
 }
 
-void add(CLI::App& command) {
+void add_check(CLI::App& command) {
   auto options = std::make_shared<CheckOptions>();
   add_scene(command, options->input);
   command.get_option("scene")->description("Protocol or scene (TOML), or mesh (MSH, VTU)");
@@ -320,6 +318,6 @@ void add(CLI::App& command) {
 const Command check_command{.name = "check",
                             .summary = "Validates a protocol, a scene or a mesh, and says what it amounts to",
                             .heading = "Run a study",
-                            .add = add};
+                            .add = add_check};
 
 }  // namespace palpate::app

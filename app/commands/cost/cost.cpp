@@ -194,7 +194,7 @@ void run_cost(const CostOptions& options) {
   fmt::print(stderr, "wrote {}\n", options.plot);
 }
 
-void add(CLI::App& command) {
+void add_cost(CLI::App& command) {
   auto options = std::make_shared<CostOptions>();
   command.add_option("scenes", options->scenes, "Scene files (TOML), one or several")->required();
   command.add_option(
@@ -221,6 +221,6 @@ void add(CLI::App& command) {
 }  // namespace
 
 const Command cost_command{
-    .name = "cost", .summary = "What accuracy costs in time (Fig. 5)", .heading = "Touch", .add = add};
+    .name = "cost", .summary = "What accuracy costs in time (Fig. 5)", .heading = "Touch", .add = add_cost};
 
 }  // namespace palpate::app

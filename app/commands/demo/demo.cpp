@@ -52,7 +52,7 @@ void run_demo(const DemoOptions& options) {
              trials::to_string(result.receipt));
 }
 
-void add(CLI::App& command) {
+void add_demo(CLI::App& command) {
   auto options = std::make_shared<DemoOptions>();
   command
       .add_option("--out", options->out,
@@ -72,6 +72,6 @@ void add(CLI::App& command) {
 const Command demo_command{.name = "demo",
                            .summary = "The 2003 study from start to report, with simulated examinees",
                            .heading = "Begin",
-                           .add = add};
+                           .add = add_demo};
 
 }  // namespace palpate::app

@@ -48,7 +48,7 @@ std::vector<std::string> written(const ExportOptions& options) {
   return {""};
 }
 
-void add(CLI::App& command) {
+void add_export(CLI::App& command) {
   auto options = std::make_shared<ExportOptions>();
   command.add_option("study", options->study, "Study file")->required();
   command.add_option("--as", options->as, "Format")
@@ -85,6 +85,6 @@ void add(CLI::App& command) {
 const Command export_command{.name = "export",
                              .summary = "Writes the trial log for other tools",
                              .heading = "Read a study",
-                             .add = add};
+                             .add = add_export};
 
 }  // namespace palpate::app

@@ -50,7 +50,7 @@ void run_merge(const MergeOptions& options) {
   fmt::print("receipt {}\n", trials::to_string(study.receipt()));
 }
 
-void add(CLI::App& command) {
+void add_merge(CLI::App& command) {
   auto options = std::make_shared<MergeOptions>();
   command.add_option("out", options->out, "The new study file; nothing is overwritten")->required();
   command.add_option("studies", options->files,
@@ -78,6 +78,6 @@ void add(CLI::App& command) {
 const Command merge_command{.name = "merge",
                             .summary = "Joins study files of several sites into a new one",
                             .heading = "Read a study",
-                            .add = add};
+                            .add = add_merge};
 
 }  // namespace palpate::app

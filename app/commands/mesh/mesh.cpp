@@ -47,7 +47,7 @@ void run_mesh(const MeshOptions& options) {
     fmt::print("{}", to_text(report));
 }
 
-void add(CLI::App& command) {
+void add_mesh(CLI::App& command) {
   auto options = std::make_shared<MeshOptions>();
   command.add_option("file", options->file, "Gmsh MSH 2.2 or 4.1 (text or binary) or VTU")->required();
   command.add_option("--unit", options->unit, "Unit of the file's coordinates")
@@ -65,6 +65,6 @@ void add(CLI::App& command) {
 const Command mesh_command{.name = "mesh",
                            .summary = "Reads, checks and converts a tetrahedral mesh",
                            .heading = "Touch",
-                           .add = add};
+                           .add = add_mesh};
 
 }  // namespace palpate::app

@@ -51,7 +51,7 @@ void run_plan(const PlanOptions& options) {
   if (!frozen.empty()) fmt::print("\nThe plan is frozen in {}, SHA-256 {}\n", options.freeze, frozen);
 }
 
-void add(CLI::App& command) {
+void add_plan(CLI::App& command) {
   const auto options = std::make_shared<PlanOptions>();
   command.add_option("PROTOCOL", options->protocol, "Protocol file")->required();
   command
@@ -91,6 +91,6 @@ void add(CLI::App& command) {
 const Command plan_command{.name = "plan",
                            .summary = "Critical numbers, power and sample size of a protocol",
                            .heading = "Run a study",
-                           .add = add};
+                           .add = add_plan};
 
 }  // namespace palpate::app

@@ -97,7 +97,7 @@ void run_press(const PressOptions& options) {
   press_protocol(options, depth);
 }
 
-void add(CLI::App& command) {
+void add_press(CLI::App& command) {
   auto options = std::make_shared<PressOptions>();
   add_scene(command, options->scene);
   command.get_option("scene")->description("Scene, or protocol: each of its conditions in each cell (TOML)");
@@ -122,6 +122,6 @@ void add(CLI::App& command) {
 const Command press_command{.name = "press",
                             .summary = "Force over depth of a press into a scene (Fig. 8)",
                             .heading = "Touch",
-                            .add = add};
+                            .add = add_press};
 
 }  // namespace palpate::app

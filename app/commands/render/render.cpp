@@ -51,7 +51,7 @@ void run_render(const RenderOptions& options) {
              options.out.string(), model.scene, model.law->name, options.depth, 1e3 * stage.scale_bar);
 }
 
-void add(CLI::App& command) {
+void add_render(CLI::App& command) {
   auto options = std::make_shared<RenderOptions>();
   add_scene(command, options->scene);
   command.add_option("--out", options->out, "Picture to write, a PNG file")->required();
@@ -73,6 +73,6 @@ void add(CLI::App& command) {
 const Command render_command{.name = "render",
                              .summary = "Picture of a scene, drawn off screen (Fig. 7)",
                              .heading = "Touch",
-                             .add = add};
+                             .add = add_render};
 
 }  // namespace palpate::app

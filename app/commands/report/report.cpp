@@ -79,7 +79,7 @@ void run_report(const ReportArguments& options) {
   fmt::print("{}", text);
 }
 
-void add(CLI::App& command) {
+void add_report(CLI::App& command) {
   const auto options = std::make_shared<ReportArguments>();
   command.add_option("STUDY", options->study, "Study file")->required();
   command
@@ -100,7 +100,9 @@ void add(CLI::App& command) {
 
 }  // namespace
 
-const Command report_command{
-    .name = "report", .summary = "The significance report of a study", .heading = "Read a study", .add = add};
+const Command report_command{.name = "report",
+                             .summary = "The significance report of a study",
+                             .heading = "Read a study",
+                             .add = add_report};
 
 }  // namespace palpate::app

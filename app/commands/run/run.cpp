@@ -89,7 +89,7 @@ void run_run(const RunOptions& options) {
   throw Interrupted{};
 }
 
-void add(CLI::App& command) {
+void add_run(CLI::App& command) {
   auto options = std::make_shared<RunOptions>();
   command.add_option("protocol", options->protocol, "Protocol file (.toml)")->required();
   command.add_option("--study", options->study, "Study file; made if there is none")->required();
@@ -117,6 +117,6 @@ void add(CLI::App& command) {
 const Command run_command{.name = "run",
                           .summary = "Runs a session with a person, in the browser",
                           .heading = "Run a study",
-                          .add = add};
+                          .add = add_run};
 
 }  // namespace palpate::app

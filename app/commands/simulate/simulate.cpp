@@ -39,7 +39,7 @@ void run_simulate(const SimulateOptions& options) {
   fmt::print("receipt {}\n", trials::to_string(result.receipt));
 }
 
-void add(CLI::App& command) {
+void add_simulate(CLI::App& command) {
   auto options = std::make_shared<SimulateOptions>();
   command.add_option("protocol", options->protocol, "Protocol (TOML)")->required();
   command.add_option("--study", options->study, "Study file; made where there is none")->required();
@@ -63,6 +63,6 @@ const Command simulate_command{
     .name = "simulate",
     .summary = "Runs a study with simulated examinees, until the file holds as many as asked for",
     .heading = "Run a study",
-    .add = add};
+    .add = add_simulate};
 
 }  // namespace palpate::app

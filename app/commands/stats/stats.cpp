@@ -179,7 +179,7 @@ void add_merge_of_parts(CLI::App& stats) {
   command->callback([files, format] { merge(*files, *format); });
 }
 
-void add(CLI::App& command) {
+void add_stats(CLI::App& command) {
   command.footer(
       "Each statistic teaches when it applies: palpate stats binomial --help\n\n"
       "Example:\n"
@@ -196,6 +196,6 @@ void add(CLI::App& command) {
 const Command stats_command{.name = "stats",
                             .summary = "One statistic on numbers or a CSV file",
                             .heading = "Statistics",
-                            .add = add};
+                            .add = add_stats};
 
 }  // namespace palpate::app

@@ -60,7 +60,7 @@ void run_verify(const VerifyOptions& options) {
         report.problems.size() == 1 ? "1 problem" : fmt::format("{} problems", report.problems.size())));
 }
 
-void add(CLI::App& command) {
+void add_verify(CLI::App& command) {
   auto options = std::make_shared<VerifyOptions>();
   command.add_option("study", options->study, "Study file")->required();
   command.add_option(
@@ -79,6 +79,6 @@ void add(CLI::App& command) {
 const Command verify_command{.name = "verify",
                              .summary = "Checks that a study file is whole and was not tampered with",
                              .heading = "Read a study",
-                             .add = add};
+                             .add = add_verify};
 
 }  // namespace palpate::app

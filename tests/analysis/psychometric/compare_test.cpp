@@ -14,7 +14,6 @@ namespace {
 
 const std::vector<PsychometricCondition> kTwo{{"a", blocks_from({0, 1, 2, 3, 4}, {5, 14, 24, 40, 45}, 50)},
                                               {"b", blocks_from({0, 1, 2, 3, 4}, {2, 8, 20, 30, 44}, 50)}};
-constexpr PsychometricModel kNoGuess{.guess = 0, .lapse_upper = 0};
 
 }  // namespace
 

@@ -16,8 +16,6 @@ using namespace palpate::analysis;
 
 namespace {
 
-constexpr PsychometricModel kNoGuess{.guess = 0, .lapse_upper = 0};
-
 const std::vector<Block> kYes = blocks_from({0, 1, 2, 3, 4}, {5, 14, 24, 40, 45}, 50);
 
 struct Reference {

@@ -8,6 +8,9 @@
 
 namespace palpate::analysis {
 
+/// Neither guesses nor lapses.
+inline constexpr PsychometricModel kNoGuess{.guess = 0, .lapse_upper = 0};
+
 inline std::vector<Block> blocks_from(const std::vector<double>& levels, const std::vector<long>& correct,
                                       long trials) {
   std::vector<Block> blocks;
