@@ -99,6 +99,7 @@ struct PressedCondition {
   trials::RunMode run_mode{};
   std::size_t cell = 0;
   std::size_t condition = 0;  // into Protocol::conditions
+  // NOLINTNEXTLINE(modernize-use-nullptr): the comparison that the compiler writes has a 0 of its own
   auto operator<=>(const PressedCondition&) const = default;
 };
 using Pressed = std::map<PressedCondition, std::vector<std::int64_t>>;  // ids of presentations

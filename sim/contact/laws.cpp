@@ -26,6 +26,7 @@ constexpr std::array<std::string_view, 1> kLaterLaws{"exact"};
 const std::vector<std::string_view>& law_names() {
   static const std::vector<std::string_view> names = [] {
     std::vector<std::string_view> all;
+    all.reserve(kLaws.size());
     for (const ContactLaw* law : kLaws) all.push_back(law->name);
     return all;
   }();

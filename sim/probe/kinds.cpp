@@ -24,6 +24,7 @@ constexpr std::array<std::string_view, 2> kLaterKinds{"fingertip", "region"};
 const std::vector<std::string_view>& kind_names() {
   static const std::vector<std::string_view> names = [] {
     std::vector<std::string_view> all;
+    all.reserve(kKinds.size());
     for (const ProbeKind* kind : kKinds) all.push_back(kind->keys.name);
     return all;
   }();
@@ -51,6 +52,7 @@ AcceptedWords probe_kind_words() {
 std::span<const ProbeKindKeys> probe_kind_keys() {
   static const std::vector<ProbeKindKeys> keys = [] {
     std::vector<ProbeKindKeys> all;
+    all.reserve(kKinds.size());
     for (const ProbeKind* kind : kKinds) all.push_back(kind->keys);
     return all;
   }();
