@@ -123,7 +123,7 @@ analysis::TrialRow trial_of(const trials::Protocol& protocol, const trials::Answ
                          .cell = trial.cell,
                          .block = trial.block,
                          .trial = trial.number,
-                         .correct_answer = std::to_string(trial.correct_interval),
+                         .correct_answer = std::to_string(trial.correct_answer),
                          .response = std::to_string(answer.response),
                          .correct = answer.correct,
                          .response_time_s = answer.response_time,

@@ -14,7 +14,7 @@ namespace {
 void set_order(const Protocol& protocol, Trial& trial, bool swapped) {
   const std::size_t first = protocol.presented[0], second = protocol.presented[1];
   trial.interval_condition = {swapped ? second : first, swapped ? first : second};
-  trial.correct_interval = trial.interval_condition[0] == protocol.correct ? 1 : 2;
+  trial.correct_answer = correct_answer(protocol, trial);
 }
 
 /// For each cell, half of its trials in either order, in a random sequence; to be dealt out from the back.
@@ -48,8 +48,11 @@ void redraw(const Protocol& protocol, Trial& trial, Generator& generator) {
   if (protocol.interval_order == IntervalOrder::Coin) set_order(protocol, trial, generator.coin());
 }
 
-bool is_correct(const Trial& trial, int answer) {
-  return answer == trial.correct_interval;
+int correct_answer(const Protocol& protocol, const Trial& trial) {
+  const auto held = std::ranges::find(trial.interval_condition, protocol.correct);
+  return held == trial.interval_condition.end()
+             ? 0
+             : 1 + static_cast<int>(held - trial.interval_condition.begin());
 }
 
 }  // namespace palpate::tasks::two_interval

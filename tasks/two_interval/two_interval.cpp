@@ -32,7 +32,7 @@ constexpr trials::Task kTwoInterval{
     .check_primary = two_interval::check_primary,
     .draw = two_interval::draw,
     .redraw = two_interval::redraw,
-    .is_correct = two_interval::is_correct,
+    .correct_answer = two_interval::correct_answer,
     .decide = two_interval::decide,
     .d_prime = d_prime,
     .question_in_words = two_interval::question_in_words,

@@ -23,7 +23,7 @@ void check_primary(const base::TomlReader& analysis, const trials::Protocol& pro
 // draw.cpp
 void draw(const trials::Protocol& protocol, std::span<trials::Trial> trials, trials::Generator& generator);
 void redraw(const trials::Protocol& protocol, trials::Trial& trial, trials::Generator& generator);
-bool is_correct(const trials::Trial& trial, int answer);
+int correct_answer(const trials::Protocol& protocol, const trials::Trial& trial);
 
 // decide.cpp
 int decide(std::span<const std::optional<double>> percepts, const trials::Observer& observer,

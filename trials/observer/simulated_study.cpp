@@ -11,7 +11,7 @@ constexpr int kSitting = 1;  // everybody sits once
 
 void count(const Trial& trial, int response, bool correct, SittingCount& cell) {
   ++cell.trials;
-  cell.correct_first += trial.correct_interval == 1 ? 1 : 0;
+  cell.correct_first += trial.correct_answer == 1 ? 1 : 0;
   cell.answers_first += response == 1 ? 1 : 0;
   cell.correct += correct ? 1 : 0;
 }
@@ -33,7 +33,7 @@ void sit(const Protocol& protocol, const Stimuli& stimuli, const ObserverParamet
     const bool ahead = number <= std::ssize(plan);
     const Trial trial = ahead ? plan[number - 1] : draw_trial(protocol, *level, number, later);
     const int response = play(protocol, stimuli, observer, sitting, {.trial = trial}).response;
-    const bool correct = protocol.task->is_correct(trial, response);
+    const bool correct = response == trial.correct_answer;
     count(trial, response, correct, counts[trial.cell]);
     state = after(procedure, std::move(state), {.level = *level, .answer = response, .correct = correct});
   }

@@ -17,7 +17,7 @@ struct Trial {
   int block = 0;                                  // from 1: what progress is shown by
   std::size_t cell = 0;                           // into Protocol::cells
   std::vector<std::size_t> interval_condition{};  // into Protocol::conditions, one for each interval
-  int correct_interval = 0;                       // from 1
+  int correct_answer = 0;                         // from 1: a choice of the task
 
   bool operator==(const Trial&) const = default;
 };

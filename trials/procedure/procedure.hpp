@@ -47,7 +47,8 @@ struct Procedure {
   void (*read)(base::TomlReader& procedure, Protocol& protocol);
   std::string_view meaning;  // in the codebook: how levels are chosen
 
-  /// The levels that are asked whatever is answered, in order; may be none.
+  /// The levels that are asked whatever is answered, in order; may be none. Which they are, and how often each,
+  /// follows from the protocol; only their order may be drawn.
   std::vector<ChosenLevel> (*draw_ahead)(const Protocol& protocol, Generator& generator);
   /// Before the first answer. Sets memory; design and ahead are given.
   void (*begin)(ProcedureState& state);

@@ -9,6 +9,7 @@
 #include "base/files/sha256.hpp"
 #include "trials/session/session_state.hpp"
 #include "trials/study/answered_trials.hpp"
+#include "trials/study/sitting_state.hpp"
 
 namespace palpate::trials {
 namespace {
@@ -91,10 +92,6 @@ void Session::State::append_event(std::string_view kind, std::string_view text) 
   event.text = text;
   event.utc = base::utc_now();
   stores.append(event);
-}
-
-Told told_of(const DrawnTrial& drawn, const AnswerRow& answer) {
-  return {.level = {.cell = drawn.trial.cell}, .answer = answer.response, .correct = answer.correct};
 }
 
 Session::Session(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -197,7 +194,7 @@ void Session::answer(int response, std::optional<double> response_time, std::str
   const DrawnTrial& drawn = state.pending.front();
   AnswerRow row{
       .session = drawn.session, .trial = drawn.trial.number, .draw = drawn.draw, .response = response};
-  row.correct = task.is_correct(drawn.trial, response);
+  row.correct = response == drawn.trial.correct_answer;
   row.response_time = response_time;
   row.onset_utc = onset_utc;
   const ProcedureState told = after(*state.protocol.procedure, state.procedure, told_of(drawn, row));

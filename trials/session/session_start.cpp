@@ -1,14 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
-#include <set>
 #include <stdexcept>
 
 #include "base/clock/utc.hpp"
 #include "trials/session/session_state.hpp"
 #include "trials/study/answered_trials.hpp"
 #include "trials/study/examinee_code.hpp"
+#include "trials/study/sitting_state.hpp"
 #include "trials/study/verify.hpp"
 
 namespace palpate::trials {
@@ -77,21 +76,10 @@ void check_against(const std::vector<SessionRow>& sessions, const SessionFacts& 
 
 /// The procedure's state, made anew from what was drawn ahead and answered.
 ProcedureState replayed(const StudyFile::Stores& stores, const Protocol& protocol, std::int64_t session) {
-  std::set<int> drawn_later;
-  for (const EventRow& event : stores.events.all())
-    if (event.session == session && event.kind == event_kind::kDrawn && event.trial)
-      drawn_later.insert(*event.trial);
-  std::vector<ChosenLevel> ahead;
-  std::map<int, DrawnTrial> trials;
-  for (const DrawnTrial& drawn : stores.trials.of_session(session)) {
-    if (drawn.draw == 0 && !drawn_later.contains(drawn.trial.number))
-      ahead.push_back({.cell = drawn.trial.cell});
-    trials.insert_or_assign(drawn.trial.number, drawn);
-  }
-  std::vector<Told> answers;
-  for (const AnswerRow& answer : stores.answers.of_session(session))
-    answers.push_back(told_of(trials.at(answer.trial), answer));
-  return replay(*protocol.procedure, protocol, std::move(ahead), answers);
+  const SittingRows sitting{.trials = stores.trials.of_session(session),
+                            .answers = stores.answers.of_session(session)};
+  return replay(*protocol.procedure, protocol, levels_of(drawn_ahead(sitting.trials, stores.events.all())),
+                told_by(sitting));
 }
 
 /// The last draw of each trial that has no answer yet, in order.

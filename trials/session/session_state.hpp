@@ -41,7 +41,4 @@ struct Session::State {
   void resume(const SessionRow& unfinished, const SessionFacts& now);
 };
 
-/// What the procedure hears of an answer.
-Told told_of(const DrawnTrial& drawn, const AnswerRow& answer);
-
 }  // namespace palpate::trials

@@ -75,7 +75,7 @@ void add(std::string& text, const Protocol& design, const DrawnTrial& drawn) {
   add(text, "block", drawn.trial.block);
   add(text, "cell", design.cells.at(drawn.trial.cell).name);
   add(text, "order", fmt::format("{}", fmt::join(order, ",")));
-  add(text, "correct interval", drawn.trial.correct_interval);
+  add(text, "correct interval", drawn.trial.correct_answer);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ void TrialStore::add(const DrawnTrial& drawn) {
         "INSERT INTO trial (session, number, draw, block, cell, interval_order, correct_interval) "
         "VALUES (?, ?, ?, ?, ?, ?, ?)",
         drawn.session, trial.number, drawn.draw, trial.block, design_.cells.at(trial.cell).name, order,
-        trial.correct_interval)
+        trial.correct_answer)
       .run();
 }
 
@@ -32,7 +32,7 @@ std::vector<DrawnTrial> TrialStore::of_session(std::int64_t session) const {
     drawn.trial.number = rows.number(0);
     drawn.trial.block = rows.number(2);
     drawn.trial.cell = index_of(design_.cells, rows.text(3), kTrial);
-    drawn.trial.correct_interval = rows.number(5);
+    drawn.trial.correct_answer = rows.number(5);
     const std::string order = rows.text(4);
     for (std::size_t at = 0; at <= order.size();) {
       const std::size_t comma = std::min(order.find(',', at), order.size());

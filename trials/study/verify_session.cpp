@@ -6,6 +6,7 @@
 
 #include "base/files/sha256.hpp"
 #include "trials/study/answered_trials.hpp"
+#include "trials/study/sitting_state.hpp"
 
 namespace palpate::trials {
 namespace {
@@ -31,10 +32,9 @@ void check_answer(const Protocol& design, const std::string& place, const Answer
                   FirstProblems& problems) {
   const Trial& trial = answered.drawn.trial;
   const auto& order = trial.interval_condition;
-  const auto holds = std::ranges::find(order, design.correct);
-  if (holds == order.end() || trial.correct_interval != 1 + (holds - order.begin()))
-    problems.add("{}: the correct interval is not the one that held the correct condition", place);
-  if (answered.answer.correct != (answered.answer.response == trial.correct_interval))
+  if (trial.correct_answer != design.task->correct_answer(design, trial))
+    problems.add("{}: the correct answer is not the one that follows from what was presented", place);
+  if (answered.answer.correct != (answered.answer.response == trial.correct_answer))
     problems.add("{}: whether the answer is correct does not follow from the order", place);
   for (int i = 0; i < std::ssize(order); ++i) {
     const bool shown = std::ranges::any_of(answered.intervals, [&](const PresentationRow& p) {
@@ -66,28 +66,54 @@ std::string difference(const std::string& hashed, const std::string& in_file) {
   }
 }
 
-/// Every trial of the protocol is drawn, each draw in its turn, and each cell as often as it is to be.
-void check_plan(const Protocol& design, const std::string& who, const std::vector<DrawnTrial>& trials,
-                FirstProblems& problems) {
-  std::vector<int> in_cell(design.cells.size(), 0);
+/// How many questions a sitting has: those that are drawn ahead, and, where a procedure chooses by answers,
+/// those that it asks for up to these answers.
+int trials_asked(const Protocol& design, std::size_t ahead, ProcedureState state,
+                 std::span<const Told> answers) {
+  Generator any = make_generator(0, "how many, whatever is drawn");
+  const Procedure& procedure = *design.procedure;
+  for (const Told& told : answers) {
+    if (!procedure.next(state, any)) break;
+    state = after(procedure, std::move(state), told);
+  }
+  const std::size_t asked = state.told + (procedure.next(state, any) ? 1 : 0);
+  return static_cast<int>(std::max(ahead, asked));
+}
+
+std::vector<int> count_by_cell(const Protocol& design, std::span<const ChosenLevel> levels) {
+  std::vector<int> counts(design.cells.size(), 0);
+  for (const ChosenLevel& level : levels) ++counts.at(level.cell);
+  return counts;
+}
+
+/// Every trial that the procedure asks is drawn, each draw in its turn, and of those that were drawn ahead each
+/// cell as often as it is to be. Returns how many trials there are to be.
+int check_plan(const SittingInFile& in, const std::string& who, const SittingRows& rows,
+               FirstProblems& problems) {
+  const Protocol& design = in.stores.design;
   std::map<int, int> draws;  // by trial
-  for (const DrawnTrial& drawn : trials) {
-    if (drawn.draw == 0) ++in_cell.at(drawn.trial.cell);
+  for (const DrawnTrial& drawn : rows.trials) {
     int& next = draws[drawn.trial.number];
     if (drawn.draw != next)
       problems.add("{}, trial {}: its draw {} is missing", who, drawn.trial.number, next);
     next = drawn.draw + 1;
   }
-  const int expected = trials_per_session(design);
-  for (int number = 1; number <= expected; ++number)
+  Generator any = make_generator(0, "how often each, whatever is drawn");
+  const auto to_be = design.procedure->draw_ahead(design, any);
+  const auto ahead = levels_of(drawn_ahead(rows.trials, in.events));
+  const int asked =
+      trials_asked(design, to_be.size(), replay(*design.procedure, design, ahead, {}), told_by(rows));
+  for (int number = 1; number <= asked; ++number)
     if (!draws.contains(number)) problems.add("{}, trial {}: is missing", who, number);
   for (const auto& [number, count] : draws)
-    if (number < 1 || number > expected)
-      problems.add("{}, trial {}: the protocol has {} trials", who, number, expected);
-  for (std::size_t cell = 0; cell < in_cell.size(); ++cell)
-    if (in_cell[cell] != design.trials_per_examinee_per_cell)
-      problems.add("{}: {} trials of cell {}, the protocol has {}", who, in_cell[cell],
-                   design.cells[cell].name, design.trials_per_examinee_per_cell);
+    if (number < 1 || number > asked)
+      problems.add("{}, trial {}: the protocol has {} trials", who, number, asked);
+  const auto found = count_by_cell(design, ahead), accepted = count_by_cell(design, to_be);
+  for (std::size_t cell = 0; cell < found.size(); ++cell)
+    if (found[cell] != accepted[cell])
+      problems.add("{}: {} trials of cell {}, the protocol has {}", who, found[cell], design.cells[cell].name,
+                   accepted[cell]);
+  return asked;
 }
 
 /// Each trial that was drawn after answers is the one that was hashed then.
@@ -115,14 +141,9 @@ void check_beginning(const SittingInFile& in, const std::string& who, const std:
   const auto begun = events_of(in, event_kind::kBegun);
   if (begun.size() != 1)
     return problems.add("{}: {} events of its beginning in the chain, there must be one", who, begun.size());
-  const auto later = events_of(in, event_kind::kDrawn);
-  check_drawn_later(in, who, later, trials, problems);
-  std::vector<DrawnTrial> plan;
-  std::ranges::copy_if(trials, std::back_inserter(plan), [&](const DrawnTrial& drawn) {
-    return drawn.draw == 0 && std::ranges::find(later, drawn.trial.number, &EventRow::trial) == later.end();
-  });
+  check_drawn_later(in, who, events_of(in, event_kind::kDrawn), trials, problems);
   const SessionRow hashed = in.chains.as_hashed(in.session, begun[0].entry);
-  const std::string text = begun_text(in.stores.design, hashed, plan);
+  const std::string text = begun_text(in.stores.design, hashed, drawn_ahead(trials, in.events));
   if (text != begun[0].text)
     problems.add("{}: its facts or orders are not those that it was begun with: {}", who,
                  difference(begun[0].text, text));
@@ -155,7 +176,7 @@ void check_redraws(const SittingInFile& in, const std::string& who, const std::v
 }
 
 /// Checks each answer and gathers its text.
-void check_answers(const SittingInFile& in, const std::string& who, SittingRows rows,
+void check_answers(const SittingInFile& in, const std::string& who, SittingRows rows, int asked,
                    std::map<std::int64_t, std::string>& texts, FirstProblems& problems) {
   const Protocol& design = in.stores.design;
   const auto answers = std::ssize(rows.answers);
@@ -168,8 +189,8 @@ void check_answers(const SittingInFile& in, const std::string& who, SittingRows 
     texts[answer.entry] = canonical_text(design, in.chains.as_hashed(in.session, answer.entry),
                                          answered.drawn, shown_for(answered), answer);
   }
-  if (in.session.ended_utc && answers != trials_per_session(design))
-    problems.add("{}: has ended with {} answers of {}", who, answers, trials_per_session(design));
+  if (in.session.ended_utc && answers != asked)
+    problems.add("{}: has ended with {} answers of {}", who, answers, asked);
 }
 
 }  // namespace
@@ -184,10 +205,10 @@ void check_session(const SittingInFile& in, VerifyScope scope, std::map<std::int
   if (in.chains.lacks_site(session))
     problems.add("{}: its code does not begin with its site, {}", who,
                  in.chains.chain_of_session(session.id).part->site);
-  check_plan(in.stores.design, who, rows.trials, problems);
+  const int asked = check_plan(in, who, rows, problems);
   check_beginning(in, who, rows.trials, problems);
   check_redraws(in, who, rows.trials, rows.presentations, problems);
-  check_answers(in, who, rows, texts, problems);
+  check_answers(in, who, rows, asked, texts, problems);
   if (scope == VerifyScope::Everything)
     for (const PresentationRow& p : rows.presentations)
       if (p.closed())

@@ -43,7 +43,9 @@ struct Task {
   void (*draw)(const Protocol& protocol, std::span<Trial> trials, Generator& generator);
   /// Draws an interrupted question again.
   void (*redraw)(const Protocol& protocol, Trial& trial, Generator& generator);
-  bool (*is_correct)(const Trial& trial, int answer);
+  /// The answer that what a question presents makes correct. Drawing stores it in the trial; `verify` asks
+  /// again. 0: nothing that is presented makes any answer correct (a damaged file).
+  int (*correct_answer)(const Protocol& protocol, const Trial& trial);
 
   /// What a simulated person answers to what each interval felt like (see perceive(); nothing: no force).
   int (*decide)(std::span<const std::optional<double>> percepts, const Observer& observer,

@@ -62,9 +62,9 @@ void count(Sittings& sittings, const trials::Protocol& protocol, const std::vect
   for (std::size_t i = 0; i < plan.size(); ++i) {
     analysis::OrderStratum& stratum = strata[plan[i].cell];
     ++stratum.trials;
-    stratum.correct_first += plan[i].correct_interval == 1 ? 1 : 0;
+    stratum.correct_first += plan[i].correct_answer == 1 ? 1 : 0;
     stratum.answers_first += answers[i] == 1 ? 1 : 0;
-    stratum.correct += answers[i] == plan[i].correct_interval ? 1 : 0;
+    stratum.correct += answers[i] == plan[i].correct_answer ? 1 : 0;
   }
   for (std::size_t cell = 0; cell < strata.size(); ++cell) sittings[cell].push_back(strata[cell]);
 }
@@ -170,7 +170,7 @@ TEST_P(ShippedProtocol, FindsATrueEffectAsOftenAsPlanned) {
   const double found = share_rejected([&](const std::vector<trials::Trial>& plan) {
     std::vector<int> answers;
     for (const trials::Trial& trial : plan)
-      answers.push_back(right(random) ? trial.correct_interval : 3 - trial.correct_interval);
+      answers.push_back(right(random) ? trial.correct_answer : 3 - trial.correct_answer);
     return answers;
   });
   const analysis::Power planned = analysis::primary_power(design_of(protocol_), 0.7);

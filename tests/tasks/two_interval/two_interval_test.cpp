@@ -77,7 +77,8 @@ TEST(TwoInterval, TheIntervalWithTheCorrectConditionIsTheCorrectAnswer) {
   for (const Trial& trial : drawn)
     for (const int answer : {1, 2}) {
       const bool held = trial.interval_condition[answer - 1] == protocol.correct;
-      EXPECT_EQ(kTwoInterval.is_correct(trial, answer), held);
+      EXPECT_EQ(kTwoInterval.correct_answer(protocol, trial) == answer, held);
+      EXPECT_EQ(trial.correct_answer == answer, held);
       if (held) correct.insert(answer);
     }
   EXPECT_EQ(correct.size(), 2U);
@@ -89,7 +90,7 @@ TEST(TwoInterval, BalancesWithinEachCellOfWhatIsDrawnTogether) {
   Generator generator = trials::make_generator(1, "test");
   std::vector<Trial> drawn(10);
   kTwoInterval.draw(protocol, drawn, generator);
-  EXPECT_EQ(std::ranges::count(drawn, 1, &Trial::correct_interval), 5);
+  EXPECT_EQ(std::ranges::count(drawn, 1, &Trial::correct_answer), 5);
   const Trial before = drawn[3];
   kTwoInterval.redraw(protocol, drawn[3], generator);
   EXPECT_EQ(drawn[3], before);

@@ -201,7 +201,7 @@ TEST_F(SimulateTest, APlayedStudyIsTheOneThatIsStored) {
       const Trial& trial = drawn.at(answer.trial - 1).trial;
       SittingCount& cell = stored[trial.cell];
       ++cell.trials;
-      cell.correct_first += trial.correct_interval == 1 ? 1 : 0;
+      cell.correct_first += trial.correct_answer == 1 ? 1 : 0;
       cell.answers_first += answer.response == 1 ? 1 : 0;
       cell.correct += answer.correct ? 1 : 0;
     }

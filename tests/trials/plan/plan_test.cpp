@@ -37,7 +37,7 @@ RC_GTEST_PROP(Plan, NumbersTrialsAndKnowsTheCorrectInterval, (std::uint64_t seed
     const auto& order = plan[i].interval_condition;
     RC_ASSERT(order.size() == 2U);
     RC_ASSERT(order[0] != order[1]);
-    RC_ASSERT(order[plan[i].correct_interval - 1] == protocol.correct);
+    RC_ASSERT(order[plan[i].correct_answer - 1] == protocol.correct);
     ++length[plan[i].block];
   }
   RC_ASSERT(static_cast<int>(length.size()) == block_count(static_cast<int>(plan.size())));
@@ -56,7 +56,7 @@ TEST(Plan, IsTheOneThatSeed2003Draws) {
                                                           {0, 1}, {0, 2}, {1, 1}, {1, 2}};
   std::vector<std::pair<std::size_t, int>> drawn;
   for (const Trial& trial : plan_for(test::small_protocol(4), 2003))
-    drawn.emplace_back(trial.cell, trial.correct_interval);
+    drawn.emplace_back(trial.cell, trial.correct_answer);
   EXPECT_EQ(drawn, expected);
 }
 
@@ -67,8 +67,8 @@ TEST(Plan, FlipsFairAndIndependentCoins) {
   int first = 0, same_as_before = 0;
   for (int seed = 0; seed < kSeeds; ++seed) {
     const auto plan = plan_for(protocol, static_cast<std::uint64_t>(seed));
-    first += plan[0].correct_interval == 1 ? 1 : 0;
-    same_as_before += plan[1].correct_interval == plan[0].correct_interval ? 1 : 0;
+    first += plan[0].correct_answer == 1 ? 1 : 0;
+    same_as_before += plan[1].correct_answer == plan[0].correct_answer ? 1 : 0;
   }
   const double bound = 5 * std::sqrt(kSeeds * 0.25);  // five standard deviations of a fair coin's count
   EXPECT_NEAR(first, kSeeds / 2, bound);
@@ -98,7 +98,7 @@ TEST(Plan, RedrawsTheIntervalsAndKeepsTheRest) {
     protocol.task->redraw(protocol, after, generator);
     EXPECT_EQ(after.cell, before.cell);
     EXPECT_EQ(after.number, before.number);
-    changed += after.correct_interval != before.correct_interval ? 1 : 0;
+    changed += after.correct_answer != before.correct_answer ? 1 : 0;
   }
   EXPECT_NEAR(changed, 100, 5 * std::sqrt(50.0));
 }
@@ -112,8 +112,7 @@ Protocol balanced_protocol(int trials) {
 RC_GTEST_PROP(Plan, BalancesTheOrdersWithinEachCell, (std::uint64_t seed)) {
   const Protocol protocol = balanced_protocol(2 * *rc::gen::inRange(1, 15));
   std::map<std::size_t, int> first;
-  for (const Trial& trial : plan_for(protocol, seed))
-    first[trial.cell] += trial.correct_interval == 1 ? 1 : 0;
+  for (const Trial& trial : plan_for(protocol, seed)) first[trial.cell] += trial.correct_answer == 1 ? 1 : 0;
   for (std::size_t cell = 0; cell < protocol.cells.size(); ++cell)
     RC_ASSERT(2 * first[cell] == protocol.trials_per_examinee_per_cell);
 }
@@ -124,7 +123,7 @@ TEST(Plan, DrawsEveryBalancedOrderEquallyOften) {
   for (int seed = 0; seed < kSeeds; ++seed) {
     std::vector<int> order;
     for (const Trial& trial : plan_for(protocol, static_cast<std::uint64_t>(seed)))
-      if (trial.cell == 0) order.push_back(trial.correct_interval);
+      if (trial.cell == 0) order.push_back(trial.correct_answer);
     ++count[order];
   }
   ASSERT_EQ(count.size(), 6U);

@@ -1,13 +1,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
 #include <optional>
 
 #include "tests/trials/support/raw_sql.hpp"
 #include "tests/trials/support/sitting.hpp"
 #include "tests/trials/support/up_down.hpp"
 #include "trials/session/session.hpp"
-#include "trials/study/verify.hpp"
+#include "trials/study/stores.hpp"
+#include "trials/study/verify_session.hpp"
 
 namespace palpate::trials {
 namespace {
@@ -48,8 +50,27 @@ class AdaptiveSession : public testing::Test {
   }
   void answer(bool correct) {
     test::feel_both(*session_);
-    const int right = session_->trial().correct_interval;
+    const int right = session_->trial().correct_answer;
     session_->answer(correct ? right : 3 - right, 0.8, "2003-12-03T09:30:05.000Z");
+  }
+  /// What is wrong with the sitting. The staircase is in no list, so that the text in the file cannot name it.
+  std::vector<std::string> problems() {
+    StudyFile::Stores& stores = study_->stores();
+    stores.design.procedure = &test::kUpDown;
+    const auto events = stores.events.all();
+    const auto sessions = stores.sessions.all();
+    std::map<std::int64_t, std::string> texts;
+    VerifyReport report;
+    FirstProblems found;
+    check_session({stores, ChainParts(stores.study, {}), events, sessions.front()}, VerifyScope::Everything,
+                  texts, report, found);
+    return found.take();
+  }
+  void tamper(const std::string& sql) {
+    session_.reset();
+    study_.reset();
+    ASSERT_EQ(test::sql(path_, sql), "");
+    study_.emplace(open_study(path_, protocol_, "0.1.0"));
   }
   std::vector<std::size_t> stored_levels() {
     std::vector<std::size_t> levels;
@@ -116,19 +137,34 @@ TEST_F(AdaptiveSession, IsVerifiedAsAnyOther) {
   start();
   for (const bool correct : {true, true, false, false, true, true}) answer(correct);
   session_->note("strategy", "none");
-  EXPECT_THAT(verify_study(path_, session_->receipt()).problems, IsEmpty());
+  EXPECT_THAT(problems(), IsEmpty());
 }
 
 TEST_F(AdaptiveSession, ATrialAlteredBeforeItsAnswerIsFound) {
   start();
   answer(true);
-  session_.reset();
-  study_.reset();
-  ASSERT_EQ(test::sql(path_,
-                      "DROP TRIGGER trial_refuses_UPDATE; UPDATE trial SET cell = 'kuroda' WHERE number = 2"),
-            "");
-  EXPECT_THAT(verify_study(path_).problems,
+  tamper("DROP TRIGGER trial_refuses_UPDATE; UPDATE trial SET cell = 'kuroda' WHERE number = 2");
+  EXPECT_THAT(problems(),
               Contains(HasSubstr("trial 2: is not the one that was drawn: the chain says cell=sibille")));
+}
+
+TEST_F(AdaptiveSession, HasTheTrialsThatItsAnswersAskFor) {
+  start();
+  for (const bool correct : {true, false}) answer(correct);
+  EXPECT_THAT(problems(), IsEmpty());
+  tamper(
+      "INSERT INTO trial SELECT session, 4, draw, block, cell, interval_order, correct_interval FROM trial "
+      "WHERE number = 3");
+  EXPECT_THAT(problems(), Contains(HasSubstr("trial 4: the protocol has 3 trials")));
+  tamper("DROP TRIGGER trial_refuses_DELETE; DELETE FROM trial WHERE number = 3");
+  EXPECT_THAT(problems(), Contains(HasSubstr("trial 3: is missing")));
+}
+
+TEST_F(AdaptiveSession, HasEndedOnlyWhenTheProcedureAsksNoMore) {
+  start();
+  for (const bool correct : {true, false}) answer(correct);
+  session_->note(event_kind::kEnded, "not by the procedure");
+  EXPECT_THAT(problems(), Contains(HasSubstr("has ended with 2 answers of 3")));
 }
 
 }  // namespace

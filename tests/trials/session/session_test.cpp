@@ -94,7 +94,7 @@ TEST_F(SessionTest, StoresEachAnswerAndTrace) {
   Session& session = start();
   const Trial trial = session.trial();
   test::feel_both(session);
-  session.answer(trial.correct_interval, 0.75, "2003-12-03T09:31:00.000Z");
+  session.answer(trial.correct_answer, 0.75, "2003-12-03T09:31:00.000Z");
   const auto answers = study_->answers(session.row().id);
   ASSERT_EQ(answers.size(), 1U);
   EXPECT_TRUE(answers[0].correct);
@@ -184,10 +184,10 @@ TEST_F(SessionTest, TheSecondDrawIsACoinOfItsOwn) {
   constexpr int kExaminees = 100;
   for (int i = 0; i < kExaminees; ++i) {
     Session& session = start(test::facts_of("P" + std::to_string(100 + i)));
-    const int before = session.trial().correct_interval;
+    const int before = session.trial().correct_answer;
     session.begin_interval();
     session.interrupt({}, "test");
-    changed += session.trial().correct_interval != before ? 1 : 0;
+    changed += session.trial().correct_answer != before ? 1 : 0;
   }
   EXPECT_NEAR(changed, kExaminees / 2, 25);  // five standard deviations
 }

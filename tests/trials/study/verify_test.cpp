@@ -80,7 +80,7 @@ TEST_F(VerifyTest, APilotSoldAsAStudyIsFound) {
 
 TEST_F(VerifyTest, AnOrderAlteredAfterwardsIsFound) {
   tamper("UPDATE trial SET correct_interval = 3 - correct_interval WHERE number = 1");
-  EXPECT_THAT(problems(), Contains(HasSubstr("the correct interval is not the one")));
+  EXPECT_THAT(problems(), Contains(HasSubstr("the correct answer is not the one")));
 }
 
 TEST_F(VerifyTest, AnAlteredTraceIsFound) {

@@ -288,9 +288,8 @@ void Sitting::note_early_key(const Reply& reply) {
 }
 
 void Sitting::tell_progress() {
-  const int all = trials::trials_per_session(protocol_);
-  outlets_.technician(fmt::format("{} of {} questions answered.",
-                                  static_cast<std::size_t>(all) - session_.pending().size(), all));
+  outlets_.technician(fmt::format("{} of {} questions answered.", session_.answered(),
+                                  trials::trials_per_session(protocol_)));
 }
 
 }  // namespace palpate::app
