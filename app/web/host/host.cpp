@@ -14,6 +14,7 @@
 
 #include "app/command_line/open_browser.hpp"
 #include "app/loop/haptic_loop.hpp"
+#include "app/web/pages/pages.hpp"
 #include "app/web/server/frames.hpp"
 #include "app/web/server/server.hpp"
 
@@ -36,7 +37,7 @@ void say(const std::string& line) {
 struct Host::State {
   explicit State(const HostOptions& wanted)
       : options(wanted),
-        server(io, wanted.port,
+        server(io, page("examinee"), wanted.port,
                {[this] { with(&Sitting::page_opened); },
                 [this](std::string_view text) { with(&Sitting::text_from_page, text); },
                 [this](std::string_view bytes) { with(&Sitting::binary_from_page, bytes); },

@@ -11,7 +11,6 @@
 #include <optional>
 
 #include "app/web/server/access.hpp"
-#include "app/web/server/page_files.hpp"
 
 namespace palpate::app {
 namespace {
@@ -61,15 +60,14 @@ Response refuse(http::status status, std::string_view why) {
   return response;
 }
 
-Response answer(const Request& request, Access access) {
+Response answer(const Page& page, const Request& request, Access access) {
   if (access != Access::Granted)
     return refuse(http::status::forbidden, "Open this page by the link that the program printed.");
   if (request.method() != http::verb::get && request.method() != http::verb::head)
     return refuse(http::status::method_not_allowed, "Only GET and HEAD.");
-  const auto files = page_files();
   const std::string_view wanted = file_of(view(request.target()));
-  const auto file = std::ranges::find(files, wanted, &PageFile::name);
-  if (file == files.end()) return refuse(http::status::not_found, "There is no such file.");
+  const auto file = std::ranges::find(page.files, wanted, &PageFile::name);
+  if (file == page.files.end()) return refuse(http::status::not_found, "There is no such file.");
   Response response(http::status::ok, 11);
   response.set(http::field::content_type,
                beast::string_view(content_type(wanted).data(), content_type(wanted).size()));
@@ -184,7 +182,7 @@ class Visit : public std::enable_shared_from_this<Visit> {
       stream_.expires_never();
       return std::make_shared<Socket>(std::move(stream_))->accept(request, opened_);
     }
-    response_ = answer(request, access);
+    response_ = answer(door_.page, request, access);
     add_headers(response_, door_.port);
     response_.keep_alive(request.keep_alive() && !upgrade);
     response_.prepare_payload();

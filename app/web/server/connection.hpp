@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "app/web/server/page.hpp"
+
 namespace palpate::app {
 
 // Why the program closes a page's WebSocket (codes that RFC 6455 leaves to applications).
@@ -27,6 +29,7 @@ class PageSocket {
 };
 
 struct Door {
+  const Page& page;
   std::string token;
   std::uint16_t port = 0;
 };

@@ -16,7 +16,8 @@ namespace asio = boost::asio;
 using asio::ip::tcp;
 
 struct Server::State : std::enable_shared_from_this<Server::State> {
-  State(asio::io_context& io, PageEvents handlers) : acceptor(io), events(std::move(handlers)) {}
+  State(asio::io_context& io, const Page& served, PageEvents handlers)
+      : acceptor(io), page(served), events(std::move(handlers)) {}
 
   void listen(std::uint16_t wanted);
   void accept();
@@ -24,10 +25,11 @@ struct Server::State : std::enable_shared_from_this<Server::State> {
   void take(const std::shared_ptr<PageSocket>& opened);
 
   tcp::acceptor acceptor;
+  const Page& page;
   PageEvents events;
   std::string token = draw_token();
   std::uint16_t port = 0;
-  std::shared_ptr<PageSocket> page;  // the one that counts
+  std::shared_ptr<PageSocket> open;  // the one that counts
 };
 
 void Server::State::listen(std::uint16_t wanted) {
@@ -57,7 +59,7 @@ void Server::State::serve(tcp::socket socket) {
   boost::system::error_code ignored;
   socket.set_option(tcp::no_delay(true), ignored);
   const auto weak = weak_from_this();
-  serve_connection(std::move(socket), {.token = token, .port = port},
+  serve_connection(std::move(socket), {.page = page, .token = token, .port = port},
                    [weak](const std::shared_ptr<PageSocket>& opened) {
                      if (const auto self = weak.lock()) self->take(opened);
                    });
@@ -65,17 +67,17 @@ void Server::State::serve(tcp::socket socket) {
 
 /// A page's WebSocket has opened: the one before it, if any, is sent away.
 void Server::State::take(const std::shared_ptr<PageSocket>& opened) {
-  if (page) {
-    const auto before = std::exchange(page, nullptr);
+  if (open) {
+    const auto before = std::exchange(open, nullptr);
     before->close(kTakenOver);
     events.closed();
   }
-  page = opened;
+  open = opened;
   const auto weak = weak_from_this();
   const std::weak_ptr<PageSocket> mine = opened;
   const auto current = [weak, mine]() -> std::shared_ptr<State> {
     const auto self = weak.lock();
-    return self && self->page && self->page == mine.lock() ? self : nullptr;
+    return self && self->open && self->open == mine.lock() ? self : nullptr;
   };
   opened->listen(
       [current](std::string_view message, bool text) {
@@ -84,14 +86,14 @@ void Server::State::take(const std::shared_ptr<PageSocket>& opened) {
       [current] {
         const auto self = current();
         if (!self) return;
-        self->page = nullptr;
+        self->open = nullptr;
         self->events.closed();
       });
   events.opened();
 }
 
-Server::Server(asio::io_context& context, std::uint16_t port, PageEvents events)
-    : state_(std::make_shared<State>(context, std::move(events))) {
+Server::Server(asio::io_context& context, const Page& page, std::uint16_t port, PageEvents events)
+    : state_(std::make_shared<State>(context, page, std::move(events))) {
   state_->listen(port);
   state_->accept();
 }
@@ -106,19 +108,19 @@ std::string Server::link() const {
 }
 
 bool Server::connected() const {
-  return state_->page != nullptr;
+  return state_->open != nullptr;
 }
 
 void Server::send_text(std::string message) {
-  if (state_->page) state_->page->send(std::move(message), true);
+  if (state_->open) state_->open->send(std::move(message), true);
 }
 
 void Server::send_binary(std::string message) {
-  if (state_->page) state_->page->send(std::move(message), false);
+  if (state_->open) state_->open->send(std::move(message), false);
 }
 
 void Server::finish() {
-  if (state_->page) state_->page->close(kEnded);
+  if (state_->open) state_->open->close(kEnded);
 }
 
 }  // namespace palpate::app

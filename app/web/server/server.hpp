@@ -6,13 +6,15 @@
 #include <string>
 #include <string_view>
 
+#include "app/web/server/page.hpp"
+
 namespace boost::asio {
 class io_context;
 }
 
 namespace palpate::app {
 
-/// What the server tells about the examinee's page; called on the io_context's thread.
+/// What the server tells about its page; called on the io_context's thread.
 struct PageEvents {
   std::function<void()> opened;
   std::function<void(std::string_view)> text;
@@ -20,13 +22,14 @@ struct PageEvents {
   std::function<void()> closed;
 };
 
-/// Serves the examinee's page and one WebSocket on 127.0.0.1. A page that is opened later takes over from the
-/// one before, which is told so. Single-threaded: everything runs on the io_context.
+/// Serves one page and one WebSocket on 127.0.0.1. Where the page is opened a second time, that takes over from
+/// the first, which is told so. Single-threaded: everything runs on the io_context.
 class Server {
  public:
+  /// @param page  must outlive the server
   /// @param port  0: the operating system chooses
   /// Throws std::runtime_error that names the port when it cannot be had.
-  Server(boost::asio::io_context& context, std::uint16_t port, PageEvents events);
+  Server(boost::asio::io_context& context, const Page& page, std::uint16_t port, PageEvents events);
   ~Server();
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;

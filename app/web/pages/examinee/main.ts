@@ -1,6 +1,6 @@
 import { Field } from "./field";
-import { Link } from "./link";
-import { encodeHand, Phase, Probe } from "./messages";
+import { Link } from "../shared/link";
+import { decodeBinary, encodeHand, Phase, Probe, Reply } from "./messages";
 import { Action, lostView, takenOverView, View, viewOf } from "./views";
 
 function element<T extends HTMLElement>(id: string): T {
@@ -18,10 +18,9 @@ let replied = false;    // one reply a showing
 let mayFinish = false;
 let decoding = false;
 
-const link = new Link({
-  phase: show,
-  probe: showProbe,
-  frame: showFrame,
+const link = new Link<Reply>({
+  text: (message) => show(JSON.parse(message) as Phase),
+  binary: showBinary,
   lost: () => showApart(lostView),
   takenOver: () => showApart(takenOverView),
 });
@@ -158,6 +157,12 @@ function act(action: Action, time: number): void {
   }
   replied = true;
   for (const made of document.querySelectorAll<HTMLButtonElement>("#actions button")) made.disabled = true;
+}
+
+function showBinary(message: ArrayBuffer): void {
+  const { probe, frame } = decodeBinary(message);
+  if (probe) showProbe(probe);
+  if (frame) showFrame(frame);
 }
 
 function showProbe(probe: Probe): void {

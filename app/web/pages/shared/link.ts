@@ -1,9 +1,6 @@
-import { decodeBinary, Phase, Probe, Reply } from "./messages";
-
 export interface Listener {
-  phase(phase: Phase): void;
-  probe(probe: Probe): void;
-  frame(jpeg: Blob): void;
+  text(message: string): void;
+  binary(message: ArrayBuffer): void;
   lost(): void;
   takenOver(): void;
 }
@@ -12,8 +9,8 @@ const kTakenOver = 4001;  // close code: the link was opened in another window
 const kEnded = 4000;      // close code: the session is over
 const kRetryAfter = 1000;  // [ms]
 
-/** The one connection to the server; comes back by itself when it is lost. */
-export class Link {
+/** A page's one connection to the server; comes back by itself when it is lost. Sends messages of type Reply. */
+export class Link<Reply extends object> {
   private socket: WebSocket | null = null;
   private closed = false;
 
@@ -21,8 +18,8 @@ export class Link {
     this.open();
   }
 
-  send(reply: Reply): void {
-    if (this.socket?.readyState === WebSocket.OPEN) this.socket.send(JSON.stringify(reply));
+  send(message: Reply): void {
+    if (this.socket?.readyState === WebSocket.OPEN) this.socket.send(JSON.stringify(message));
   }
 
   sendBinary(data: ArrayBuffer): void {
@@ -40,13 +37,8 @@ export class Link {
   }
 
   private receive(data: string | ArrayBuffer): void {
-    if (typeof data === "string") {
-      this.listener.phase(JSON.parse(data) as Phase);
-      return;
-    }
-    const { probe, frame } = decodeBinary(data);
-    if (probe) this.listener.probe(probe);
-    if (frame) this.listener.frame(frame);
+    if (typeof data === "string") this.listener.text(data);
+    else this.listener.binary(data);
   }
 
   private gone(code: number): void {

@@ -5,12 +5,15 @@
 
 namespace palpate::app {
 
-/// A file of the examinee's page, part of the program.
 struct PageFile {
   std::string_view name;  // "page.js"
   std::string_view bytes;
 };
 
-std::span<const PageFile> page_files();
+/// A page that a Server serves, its files part of the program.
+struct Page {
+  std::string_view name;  // "examinee": its folder of app/web/pages
+  std::span<const PageFile> files;
+};
 
 }  // namespace palpate::app
