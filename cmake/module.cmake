@@ -27,6 +27,18 @@ if(PALPATE_SANITIZE)
   endif()
 endif()
 
+# The one list of each kind of thing that is added as a room: law, effect, probe kind, statistic, task, procedure,
+# device, command (docs/extending.md). Compiled alone, so that tests/extending can put a longer list in its place.
+set(PALPATE_LISTS
+  sim/contact/laws.cpp
+  sim/effects/effects.cpp
+  sim/probe/kinds.cpp
+  analysis/statistics/statistics.cpp
+  tasks/tasks.cpp
+  trials/procedures/procedures.cpp
+  devices/devices.cpp
+  app/commands/commands.cpp)
+
 # With PALPATE_GROUPED, files of one folder are compiled together, up to 16 at a time, and the rooms of one kind
 # (app/commands/NAME) as if they were one folder: most of the time goes into the headers of libraries, which are then
 # read once a group. Names of unnamed namespaces are unique there; a source that cannot keep to that (property
@@ -41,14 +53,14 @@ function(palpate_grouped result target)
   set(groups "")
   set(sources "")
   foreach(source IN LISTS ARGN)
+    cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE relative)
     get_source_file_property(apart ${source} SKIP_UNITY_BUILD_INCLUSION)
-    if(apart)
+    if(apart OR relative IN_LIST PALPATE_LISTS)
       list(APPEND sources ${source})
       continue()
     endif()
-    cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE relative)
     cmake_path(GET relative PARENT_PATH folder)
-    string(REGEX MATCH "^(tests/[^/]+/[^/]+|[^/]+/[^/]+|[^/]+)" folder ${folder})  # rooms of one kind go together
+    string(REGEX MATCH "^(tests/extending|tests/[^/]+/[^/]+|[^/]+/[^/]+|[^/]+)" folder ${folder})  # rooms of one kind go together
     string(REPLACE "/" "_" folder ${folder})
     if(NOT DEFINED place_${folder})
       set(place_${folder} 0)

@@ -5,7 +5,7 @@
 namespace palpate::trials {
 
 std::span<const Task* const> tasks() {
-  static constexpr std::array<const Task*, 1> kTasks{
+  static constexpr std::array kTasks{
       &palpate::tasks::kTwoInterval,
   };
   return kTasks;

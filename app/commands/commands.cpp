@@ -1,5 +1,7 @@
 #include "app/commands/commands.hpp"
 
+#include <array>
+
 #include "app/commands/check/check.hpp"
 #include "app/commands/cost/cost.hpp"
 #include "app/commands/demo/demo.hpp"
@@ -18,10 +20,21 @@
 namespace palpate::app {
 
 std::span<const Command* const> commands() {
-  static const Command* const all[] = {
-      &demo_command,   &press_command,  &render_command, &cost_command,     &mesh_command,
-      &check_command,  &plan_command,   &run_command,    &simulate_command, &report_command,
-      &export_command, &verify_command, &merge_command,  &stats_command,
+  static constexpr std::array all{
+      &demo_command,      //
+      &press_command,     //
+      &render_command,    //
+      &cost_command,      //
+      &mesh_command,      //
+      &check_command,     //
+      &plan_command,      //
+      &run_command,       //
+      &simulate_command,  //
+      &report_command,    //
+      &export_command,    //
+      &verify_command,    //
+      &merge_command,     //
+      &stats_command,     //
   };
   return all;
 }

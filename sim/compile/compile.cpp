@@ -45,6 +45,7 @@ Model compile_all(const Scene& scene, ComplianceCache& cache) {
   for (const BodySpec& spec : scene.bodies)
     if (spec.present) add_body(scene, spec, cache, model);
   for (const auto& names : scene.contact.touch) add_pair(names, model);
+  fill_effects(scene, model);
   return model;
 }
 

@@ -16,7 +16,7 @@
 namespace palpate::sim {
 namespace {
 
-constexpr std::array<const ContactLaw*, 3> kLaws{
+constexpr std::array kLaws{
     &kNone,
     &kSibille,
     &kKuroda,

@@ -35,11 +35,15 @@ void refuse_combinations(const Scene& scene) {
   }
 }
 
-std::span<const LaterKey> later_keys() {
-  static const std::vector<LaterKey> all = [] {
-    std::vector<LaterKey> keys;
-    for (const Effect* effect : effects())
-      keys.insert(keys.end(), effect->later.begin(), effect->later.end());
+void fill_effects(const Scene& scene, Model& model) {
+  for (const Effect* effect : effects())
+    if (effect->state(scene).on) effect->fill(scene, model);
+}
+
+std::span<const EffectKey> effect_keys() {
+  static const std::vector<EffectKey> all = [] {
+    std::vector<EffectKey> keys;
+    for (const Effect* effect : effects()) keys.insert(keys.end(), effect->keys.begin(), effect->keys.end());
     return keys;
   }();
   return all;

@@ -12,4 +12,7 @@ std::span<const Effect* const> effects();
 /// Throws std::invalid_argument where a scene calls for two effects that cannot be combined.
 void refuse_combinations(const Scene& scene);
 
+/// Puts into a model what its scene calls for, effect by effect.
+void fill_effects(const Scene& scene, Model& model);
+
 }  // namespace palpate::sim

@@ -16,16 +16,24 @@ struct EffectState {
   std::string reason{};  // a clause that names the key of the scene
 };
 
+inline void fill_nothing(const Scene&, Model&) {}
+inline Model unchanged(Model model) {
+  return model;
+}
+
 /// Physics that a scene may call for.
 struct Effect {
   std::string_view name{};                       // as `check` lists it, which is also what its cost is called
-  std::span<const LaterKey> later{};             // keys that call for it and that this version refuses
+  std::span<const EffectKey> keys{};             // of a scene, that call for it
   std::span<const std::string_view> excludes{};  // names of effects that it cannot be combined with
 
   EffectState (*state)(const Scene& scene) = nullptr;
 
-  /// The same model without this effect: its cost is what a cycle takes less.
-  Model (*without)(Model model) = nullptr;
+  /// Puts into a compiled model what the scene calls for. Called where the effect is on.
+  void (*fill)(const Scene& scene, Model& model) = fill_nothing;
+
+  /// The same model without what the effect does in a cycle: its cost is what a cycle takes less.
+  Model (*without)(Model model) = unchanged;
 };
 
 }  // namespace palpate::sim

@@ -15,7 +15,7 @@
 namespace palpate::sim {
 namespace {
 
-constexpr std::array<const ProbeKind*, 2> kKinds{
+constexpr std::array kKinds{
     &kPoint,
     &kPad,
 };

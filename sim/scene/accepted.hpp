@@ -2,6 +2,11 @@
 
 #include <span>
 #include <string_view>
+#include <vector>
+
+namespace palpate::base {
+class TomlReader;
+}
 
 namespace palpate::sim {
 
@@ -28,14 +33,17 @@ struct ProbeKindKeys {
 /// Every kind. Defined in sim/probe/kinds.cpp.
 std::span<const ProbeKindKeys> probe_kind_keys();
 
-/// A key that calls for what this version does not simulate.
-struct LaterKey {
+/// A key that calls for an effect.
+struct EffectKey {
   std::string_view table{};  // "bodies" (of each body) or "contact"
   std::string_view key{};
   std::string_view calls_for{};  // "viscosity"
+  /// The numbers that the key's value stands for; refuses as TomlReader does. Null: this version does not
+  /// simulate what the key calls for, and refuses it.
+  std::vector<double> (*read)(base::TomlReader& table, std::string_view key) = nullptr;
 };
 
 /// Every such key. Defined in sim/effects/effects.cpp.
-std::span<const LaterKey> later_keys();
+std::span<const EffectKey> effect_keys();
 
 }  // namespace palpate::sim

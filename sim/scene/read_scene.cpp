@@ -93,12 +93,17 @@ Material read_material(base::TomlReader& reader, double default_poisson) {
   return material;
 }
 
-/// @param table  of the scene, as LaterKey names it
-void refuse_later_keys(base::TomlReader& reader, std::string_view table) {
-  for (const LaterKey& later : later_keys())
-    if (later.table == table && reader.has(later.key))
-      reader.refuse(later.key,
-                    fmt::format("calls for {}, which this version does not simulate", later.calls_for));
+/// @param table  of the scene, as EffectKey names it
+EffectValues read_effects(base::TomlReader& reader, std::string_view table) {
+  EffectValues values;
+  for (const EffectKey& effect : effect_keys()) {
+    if (effect.table != table || !reader.has(effect.key)) continue;
+    if (!effect.read)
+      reader.refuse(effect.key,
+                    fmt::format("calls for {}, which this version does not simulate", effect.calls_for));
+    values.insert_or_assign(std::string(effect.key), effect.read(reader, effect.key));
+  }
+  return values;
 }
 
 std::string read_word(base::TomlReader& reader, std::string_view key, const AcceptedWords& words) {
@@ -137,7 +142,7 @@ BodySpec read_body(base::TomlReader& reader, const std::string& name, const std:
   body.scale = reader.number("scale").value_or(1.0);
   body.rotate = to_vec3(reader.vector_quantity("rotate", base::Dimension::Angle).value_or(base::Triple{}));
   body.offset = to_vec3(reader.vector_quantity("offset", base::Dimension::Length).value_or(base::Triple{}));
-  refuse_later_keys(reader, "bodies");
+  body.effects = read_effects(reader, "bodies");
   reader.refuse_unknown();
   return body;
 }
@@ -153,7 +158,7 @@ ContactSpec read_contact(base::TomlReader& reader) {
     contact.touch.push_back({*(*pair)[0].value<std::string>(), *(*pair)[1].value<std::string>()});
   }
   contact.model = read_word(reader, "model", contact_model_words());
-  refuse_later_keys(reader, "contact");
+  contact.effects = read_effects(reader, "contact");
   reader.refuse_unknown();
   return contact;
 }

@@ -25,6 +25,10 @@ struct Box {
 };
 using NodeSelection = std::variant<std::string, Box, std::vector<std::int64_t>>;
 
+/// What a table of the scene says of the effects that it calls for: by key, the numbers that its value stands
+/// for (effect_keys() of accepted.hpp).
+using EffectValues = std::map<std::string, std::vector<double>>;
+
 struct BodySpec {
   std::string name{};
   bool present = true;
@@ -37,6 +41,7 @@ struct BodySpec {
   double scale = 1.0;
   Vec3 rotate = Vec3::Zero();  // rotation vector: axis times angle [rad]
   Vec3 offset = Vec3::Zero();  // [m], after scale and rotation
+  EffectValues effects{};
 
   bool operator==(const BodySpec&) const = default;
 };
@@ -47,6 +52,7 @@ inline constexpr std::string_view kNoContact = "none";
 struct ContactSpec {
   std::vector<std::array<std::string, 2>> touch{};  // which bodies may touch
   std::string model{kNoContact};                    // a name that contact_model_words() lists
+  EffectValues effects{};
 
   bool operator==(const ContactSpec&) const = default;
 };

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -45,7 +46,8 @@ struct Procedure {
 
   /// [procedure], all but kind. What is refused throws std::invalid_argument.
   void (*read)(base::TomlReader& procedure, Protocol& protocol);
-  std::string_view meaning;  // in the codebook: how levels are chosen
+  std::string_view meaning;                                 // in the codebook: how levels are chosen
+  std::string (*order_in_words)(const Protocol& protocol);  // in which the cells are asked, a sentence
 
   /// The levels that are asked whatever is answered, in order; may be none. Which they are, and how often each,
   /// follows from the protocol; only their order may be drawn.

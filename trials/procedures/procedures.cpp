@@ -6,7 +6,7 @@
 namespace palpate::trials {
 
 std::span<const Procedure* const> procedures() {
-  static constexpr std::array<const Procedure*, 1> kProcedures{
+  static constexpr std::array kProcedures{
       &kConstant,
   };
   return kProcedures;

@@ -36,11 +36,6 @@ Stimulus make_stimulus(const Protocol& protocol, std::size_t cell, std::size_t c
   return stimulus;
 }
 
-std::string order_in_words(const Protocol& protocol, const PlanSummary& plan) {
-  return fmt::format("All {} trials of a sitting come in one random order, whatever their cell. {}",
-                     plan.trials_per_session, protocol.task->order_in_words(protocol));
-}
-
 }  // namespace
 
 int trials_per_session(const Protocol& protocol) {
@@ -75,7 +70,8 @@ PlanSummary describe(const Protocol& protocol) {
   summary.trials_per_cell = protocol.planned_examinees * protocol.trials_per_examinee_per_cell;
   for (const Cell& cell : protocol.cells) summary.cells.push_back(cell.name);
   summary.best_guess = protocol.task->chance;
-  summary.order = order_in_words(protocol, summary);
+  summary.order = fmt::format("{} {}", protocol.procedure->order_in_words(protocol),
+                              protocol.task->order_in_words(protocol));
   return summary;
 }
 

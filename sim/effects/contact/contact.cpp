@@ -9,7 +9,7 @@ namespace palpate::sim {
 namespace {
 
 // A choice of pairing is a part of contact that this version does not have.
-constexpr std::array<LaterKey, 1> kLaterOfContact{
+constexpr std::array<EffectKey, 1> kLaterOfContact{
     {{"contact", "pairing", "a choice of pairing (contact model exact)"}}};
 
 bool is_present(const Scene& scene, const std::string& name) {
@@ -31,6 +31,6 @@ EffectState state_of_contact(const Scene& scene) {
 }  // namespace
 
 constinit const Effect kContact{
-    .name = "contact", .later = kLaterOfContact, .state = state_of_contact, .without = without_contact};
+    .name = "contact", .keys = kLaterOfContact, .state = state_of_contact, .without = without_contact};
 
 }  // namespace palpate::sim

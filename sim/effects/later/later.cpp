@@ -5,46 +5,28 @@
 namespace palpate::sim {
 namespace {
 
-Model unchanged(Model model) {
-  return model;
+EffectState no_friction(const Scene&) {
+  return {false, "no contact.friction (not in this version)"};
+}
+EffectState no_viscosity(const Scene&) {
+  return {false, "no relaxation of a body (not in this version)"};
+}
+EffectState no_near_incompressibility(const Scene&) {
+  return {false, "no volumetric of a body (not in this version)"};
+}
+EffectState no_large_deformation(const Scene&) {
+  return {false, "no key calls for it (not in this version)"};
 }
 
-constexpr std::array<LaterKey, 1> kFrictionKeys{{{"contact", "friction", "friction"}}};
-constexpr Effect kFriction{.name = "friction",
-                           .later = kFrictionKeys,
-                           .state =
-                               [](const Scene&) {
-                                 return EffectState{false, "no contact.friction (not in this version)"};
-                               },
-                           .without = unchanged};
+constexpr std::array kFrictionKeys{EffectKey{"contact", "friction", "friction"}};
+constexpr std::array kViscosityKeys{EffectKey{"bodies", "relaxation", "viscosity"}};
+constexpr std::array kVolumetricKeys{EffectKey{"bodies", "volumetric", "the near-incompressible treatment"}};
 
-constexpr std::array<LaterKey, 1> kViscosityKeys{{{"bodies", "relaxation", "viscosity"}}};
-constexpr Effect kViscosity{.name = "viscosity",
-                            .later = kViscosityKeys,
-                            .state =
-                                [](const Scene&) {
-                                  return EffectState{false, "no relaxation of a body (not in this version)"};
-                                },
-                            .without = unchanged};
-
-constexpr std::array<LaterKey, 1> kIncompressibilityKeys{
-    {{"bodies", "volumetric", "the near-incompressible treatment"}}};
+constexpr Effect kFriction{.name = "friction", .keys = kFrictionKeys, .state = no_friction};
+constexpr Effect kViscosity{.name = "viscosity", .keys = kViscosityKeys, .state = no_viscosity};
 constexpr Effect kNearIncompressibility{
-    .name = "near-incompressibility",
-    .later = kIncompressibilityKeys,
-    .state =
-        [](const Scene&) {
-          return EffectState{false, "no volumetric of a body (not in this version)"};
-        },
-    .without = unchanged};
-
-constexpr Effect kLargeDeformation{
-    .name = "large deformation",
-    .state =
-        [](const Scene&) {
-          return EffectState{false, "no key calls for it (not in this version)"};
-        },
-    .without = unchanged};
+    .name = "near-incompressibility", .keys = kVolumetricKeys, .state = no_near_incompressibility};
+constexpr Effect kLargeDeformation{.name = "large deformation", .state = no_large_deformation};
 
 constexpr std::array<const Effect*, 4> kLaterEffects{
     &kFriction,

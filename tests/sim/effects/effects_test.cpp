@@ -47,8 +47,8 @@ TEST(Effects, ThatAreOnCanBeTakenOutOfAModel) {
 }
 
 TEST(Effects, OfLaterVersionsAreRefusedByTheirKeys) {
-  EXPECT_EQ(later_keys().size(), 4U);
-  for (const LaterKey& later : later_keys()) {
+  EXPECT_EQ(effect_keys().size(), 4U);
+  for (const EffectKey& later : effect_keys()) {
     const std::string table = later.table == "bodies" ? "bodies.upper" : std::string(later.table);
     const std::vector<Override> calling{{table + "." + std::string(later.key), "1"}};
     EXPECT_THAT([&] { load_scene(write_two_boxes(), calling); },

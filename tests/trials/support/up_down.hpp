@@ -15,6 +15,7 @@ inline constexpr Procedure kUpDown{
     .name = "up-down",
     .read = [](base::TomlReader&, Protocol&) {},
     .meaning = "one up, one down",
+    .order_in_words = [](const Protocol&) { return std::string("One up, one down."); },
     .draw_ahead = [](const Protocol&, Generator&) { return std::vector<ChosenLevel>(); },
     .begin = [](ProcedureState& state) { state.memory = {0.0}; },
     .next = [](const ProcedureState& state, Generator&) -> std::optional<ChosenLevel> {

@@ -21,6 +21,11 @@ std::vector<ChosenLevel> draw_ahead(const Protocol& protocol, Generator& generat
   return levels;
 }
 
+std::string order_in_words(const Protocol& protocol) {
+  return fmt::format("All {} trials of a sitting come in one random order, whatever their cell.",
+                     trials_per_session(protocol));
+}
+
 std::optional<ChosenLevel> next(const ProcedureState& state, Generator&) {
   return state.told < state.ahead.size() ? std::optional(state.ahead[state.told]) : std::nullopt;
 }
@@ -30,6 +35,7 @@ std::optional<ChosenLevel> next(const ProcedureState& state, Generator&) {
 constexpr Procedure kConstant{.name = "constant",
                               .read = read,
                               .meaning = "every level a fixed number of times",
+                              .order_in_words = order_in_words,
                               .draw_ahead = draw_ahead,
                               .begin = [](ProcedureState&) {},
                               .next = next,
