@@ -52,8 +52,8 @@ json read_list(const Input& input, const json& value, const Read& read, std::str
 }
 
 json read_choice(const Input& input, const json& value) {
-  const bool known = value.is_string() && std::find(input.choices.begin(), input.choices.end(),
-                                                    value.get<std::string>()) != input.choices.end();
+  const bool known =
+      value.is_string() && std::ranges::find(input.choices, value.get<std::string>()) != input.choices.end();
   if (!known) refuse(input, value, fmt::format("{}", fmt::join(input.choices, ", ")));
   return value;
 }
@@ -101,14 +101,14 @@ void refuse_unknown(const Statistic& statistic, const json& given) {
   std::vector<std::string> names;
   for (const Input& input : statistic.inputs) names.push_back(input.name);
   for (const auto& item : given.items()) {
-    if (std::find(names.begin(), names.end(), item.key()) != names.end()) continue;
+    if (std::ranges::find(names, item.key()) != names.end()) continue;
     throw std::invalid_argument(
         fmt::format("{} takes no '{}'; accepted: {}", statistic.name, item.key(), listed(names)));
   }
 }
 
 void check_columns(const Data& data, const DataTable& table) {
-  for (const Column& column : data.columns) {
+  for (const InputColumn& column : data.columns) {
     if (!column.optional) text_column(table, column.name);
   }
 }
@@ -117,13 +117,14 @@ void check_data(const Statistic& statistic, const DataTable& table) {
   const Data& data = statistic.data;
   if (table.columns.empty()) {
     if (data.shape == Data::Shape::None || data.optional) return;
-    throw std::invalid_argument(statistic.name + " needs data: " + data.meaning);
+    throw std::invalid_argument(fmt::format("{} needs data: {}", statistic.name, data.meaning));
   }
   if (data.shape == Data::Shape::None) throw std::invalid_argument(statistic.name + " takes no data");
   if (rows(table) == 0) throw std::invalid_argument(table.source + ": no rows of data");
   if (data.shape == Data::Shape::Columns) check_columns(data, table);
   if (data.shape == Data::Shape::Matrix && table.columns.size() < 2) {
-    throw std::invalid_argument(table.source + ": one column; " + data.meaning + separator_hint(table));
+    throw std::invalid_argument(
+        fmt::format("{}: one column; {}{}", table.source, data.meaning, separator_hint(table)));
   }
 }
 

@@ -34,7 +34,7 @@ struct Input {
   std::vector<std::string> choices{};  // of a Choice
 };
 
-struct Column {
+struct InputColumn {
   std::string name{};
   std::string meaning{};
   bool optional = false;
@@ -50,7 +50,7 @@ struct Data {
   };
   Shape shape = Shape::None;
   std::string meaning{};  // of a row
-  std::vector<Column> columns{};
+  std::vector<InputColumn> columns{};
   bool optional = false;  // may be left out: the inputs say it all
 };
 

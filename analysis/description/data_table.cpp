@@ -13,8 +13,8 @@ namespace {
 
 std::size_t index_of(const DataTable& table, std::string_view name) {
   if (table.names.empty() && table.columns.size() == 1) return 0;
-  const auto found = std::find(table.names.begin(), table.names.end(), name);
-  if (found != table.names.end()) return static_cast<std::size_t>(found - table.names.begin());
+  const auto found = std::ranges::find(table.names, name);
+  if (found != table.names.end()) return found - table.names.begin();
   if (table.names.empty()) {
     throw std::invalid_argument(
         fmt::format("{}: no column '{}': the file has {} and no header line that names them", table.source,
@@ -53,14 +53,13 @@ std::size_t rows(const DataTable& table) {
 }
 
 std::string separator_hint(const DataTable& table) {
-  const bool other = std::any_of(table.names.begin(), table.names.end(), [](const std::string& name) {
-    return name.find_first_of(";\t") != std::string::npos;
-  });
+  const bool other = std::ranges::any_of(
+      table.names, [](const std::string& name) { return name.find_first_of(";\t") != std::string::npos; });
   return other ? "; columns are separated by commas" : "";
 }
 
 bool has_column(const DataTable& table, std::string_view name) {
-  return std::find(table.names.begin(), table.names.end(), name) != table.names.end();
+  return std::ranges::find(table.names, name) != table.names.end();
 }
 
 const std::vector<std::string>& text_column(const DataTable& table, std::string_view name) {

@@ -1,5 +1,7 @@
 #include "analysis/detection/detection.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/tools/roots.hpp>
@@ -131,7 +133,7 @@ Detection same_different(const DetectionCounts& counts, Strategy strategy, DPrim
                               raw_rate(counts.false_alarms, counts.noise_trials));
   result.interval = profile_interval(
       counts, differencing ? differencing_rates : independent_observation_rates, best, 0.0, level);
-  result.method = {.name = "d' of a same-different task, " + std::string(name_of(strategy)) + " strategy",
+  result.method = {.name = fmt::format("d' of a same-different task, {} strategy", name_of(strategy)),
                    .source = "Macmillan & Creelman 2005, ch. 9" + source_of(correction)};
   return result;
 }

@@ -14,7 +14,7 @@ std::vector<QuadratureNode> gauss_hermite(int n) {
   const Eigen::VectorXd beside = (Eigen::VectorXd::LinSpaced(n - 1, 1, n - 1) / 2).cwiseSqrt();
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
   solver.computeFromTridiagonal(diagonal, beside);
-  std::vector<QuadratureNode> nodes(static_cast<std::size_t>(n));
+  std::vector<QuadratureNode> nodes(n);
   for (int k = 0; k < n; ++k) {
     // Averaged with its mirror image, so that the rule is symmetric to the last bit.
     const double t = (solver.eigenvalues()[k] - solver.eigenvalues()[n - 1 - k]) / 2;

@@ -1,5 +1,7 @@
 #include "analysis/mixed/link.hpp"
 
+#include <fmt/format.h>
+
 #include <boost/math/distributions/normal.hpp>
 #include <stdexcept>
 #include <string>
@@ -9,7 +11,7 @@ namespace palpate::analysis {
 Link link_from_name(std::string_view name) {
   if (name == "logit") return Link::Logit;
   if (name == "probit") return Link::Probit;
-  throw std::invalid_argument("link is '" + std::string(name) + "'; accepted: logit, probit");
+  throw std::invalid_argument(fmt::format("link is '{}'; accepted: logit, probit", name));
 }
 
 std::string_view name_of(Link link) {

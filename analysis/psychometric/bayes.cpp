@@ -17,7 +17,7 @@ using Axes = std::array<std::vector<double>, kParameters>;
 
 std::vector<double> spread(double from, double to, int steps) {
   std::vector<double> axis;
-  axis.reserve(static_cast<std::size_t>(steps));
+  axis.reserve(steps);
   for (int i = 0; i < steps; ++i) axis.push_back(steps == 1 ? from : from + (to - from) * i / (steps - 1));
   return axis;
 }
@@ -94,7 +94,7 @@ Grid filled(const BayesProblem& problem, Axes axes) {
 std::vector<double> narrowed(const std::vector<double>& axis, const std::vector<double>& marginal,
                              int steps) {
   if (axis.size() == 1) return axis;
-  const double least = kMassive * *std::max_element(marginal.begin(), marginal.end());
+  const double least = kMassive * *std::ranges::max_element(marginal);
   std::size_t first = 0, last = axis.size() - 1;
   while (marginal[first] < least) ++first;
   while (marginal[last] < least) --last;
@@ -107,9 +107,8 @@ Interval credible(const std::vector<double>& axis, const std::vector<double>& ma
     below.push_back(below.back() + 0.5 * (marginal[i] + marginal[i - 1]) * (axis[i] - axis[i - 1]));
   const auto quantile = [&](double p) {
     const double wanted = p * below.back();
-    const auto i = static_cast<std::size_t>(
-        std::clamp(std::lower_bound(below.begin(), below.end(), wanted) - below.begin(), std::ptrdiff_t{1},
-                   std::ptrdiff_t(axis.size()) - 1));
+    const auto i = std::clamp(std::ranges::lower_bound(below, wanted) - below.begin(), std::ptrdiff_t{1},
+                              std::ptrdiff_t(axis.size()) - 1);
     const double share = (wanted - below[i - 1]) / (below[i] - below[i - 1]);
     return axis[i - 1] + share * (axis[i] - axis[i - 1]);
   };

@@ -41,7 +41,7 @@ std::vector<double> cumulative(double trials, double p) {
 }
 
 double drawn(const std::vector<double>& below, double uniform) {
-  return static_cast<double>(std::upper_bound(below.begin(), below.end(), uniform) - below.begin());
+  return static_cast<double>(std::ranges::upper_bound(below, uniform) - below.begin());
 }
 
 // Linear between the order statistics about place 1 ... size.
@@ -80,7 +80,7 @@ std::vector<Replicate> bootstrap_replicates(const Fitter& fitter, std::span<cons
   for (std::size_t row = 0; row < probabilities.size(); ++row)
     below.push_back(cumulative(design.trials[row], probabilities[row]));
   std::vector<Replicate> replicates;
-  replicates.reserve(static_cast<std::size_t>(std::max(0L, share.end - share.first)));
+  replicates.reserve(std::max(0L, share.end - share.first));
   std::vector<double> correct(probabilities.size());
   for (long number = share.first; number < share.end; ++number) {
     Stream stream(seed, number);
@@ -103,8 +103,8 @@ Interval percentile_interval(std::span<const Replicate> replicates,
     low.push_back(std::isnan(value) ? -kInfinity : value);
     high.push_back(std::isnan(value) ? kInfinity : value);
   }
-  std::sort(low.begin(), low.end());
-  std::sort(high.begin(), high.end());
+  std::ranges::sort(low);
+  std::ranges::sort(high);
   Interval interval{
       .lower = -kInfinity, .upper = kInfinity, .level = level, .method = "bootstrap percentile"};
   const double count = static_cast<double>(low.size());
@@ -118,9 +118,8 @@ Interval percentile_interval(std::span<const Replicate> replicates,
 
 double deviance_p(std::span<const Replicate> replicates, double deviance) {
   const double slack = 1e-9 * (1 + deviance);  // equal answers give equal deviances but for round-off
-  const auto as_great = std::count_if(replicates.begin(), replicates.end(), [&](const Replicate& replicate) {
-    return replicate.deviance >= deviance - slack;
-  });
+  const auto as_great = std::ranges::count_if(
+      replicates, [&](const Replicate& replicate) { return replicate.deviance >= deviance - slack; });
   return static_cast<double>(1 + as_great) / static_cast<double>(1 + replicates.size());
 }
 

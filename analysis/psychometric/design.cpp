@@ -64,8 +64,8 @@ Design make_design(std::span<const Block> blocks, const PsychometricModel& model
   Design design{.model = model};
   design.block.resize(blocks.size());
   std::iota(design.block.begin(), design.block.end(), std::size_t{0});
-  std::stable_sort(design.block.begin(), design.block.end(),
-                   [&](std::size_t a, std::size_t b) { return blocks[a].level < blocks[b].level; });
+  std::ranges::stable_sort(design.block,
+                           [&](std::size_t a, std::size_t b) { return blocks[a].level < blocks[b].level; });
   for (const std::size_t index : design.block) {
     const double place = to_scale(model.shape, blocks[index].level);
     if (design.place.empty() || place > design.place.back()) design.group.push_back(design.place.size());

@@ -59,7 +59,7 @@ std::vector<Line> StartGrid::starts(std::span<const double> correct) const {
   std::vector<double> sum(cells);
   std::vector<std::pair<double, Line>> best;
   for (std::size_t l = 0; l < lapses_.size(); ++l) {
-    std::fill(sum.begin(), sum.end(), 0.0);
+    std::ranges::fill(sum, 0.0);
     for (std::size_t row = 0; row < correct.size(); ++row) {
       const double hits = correct[row], misses = trials_[row] - hits;
       const std::size_t first = (row * lapses_.size() + l) * cells;
@@ -70,10 +70,10 @@ std::vector<Line> StartGrid::starts(std::span<const double> correct) const {
     for (const auto& [first, end] : {std::pair(std::size_t{0}, steep), std::pair(steep, cells)}) {
       const auto top = std::max_element(sum.begin() + static_cast<std::ptrdiff_t>(first),
                                         sum.begin() + static_cast<std::ptrdiff_t>(end));
-      best.emplace_back(*top, line(static_cast<std::size_t>(top - sum.begin()), lapses_[l]));
+      best.emplace_back(*top, line(top - sum.begin(), lapses_[l]));
     }
   }
-  std::sort(best.begin(), best.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::ranges::sort(best, [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<Line> lines;
   for (const auto& [value, line] : best) {
     if (value > best.front().first - kHopeless) lines.push_back(line);

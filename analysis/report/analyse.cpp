@@ -24,7 +24,7 @@ double quantile(const std::vector<double>& sorted, double share) {
 
 std::optional<ResponseTimes> response_times(std::vector<double> seconds) {
   if (seconds.empty()) return std::nullopt;
-  std::sort(seconds.begin(), seconds.end());
+  std::ranges::sort(seconds);
   return ResponseTimes{.n = seconds.size(),
                        .least = seconds.front(),
                        .lower_quartile = quantile(seconds, 0.25),
@@ -86,8 +86,8 @@ std::optional<BetaBinomial> spread_of(const CellResult& cell, double chance, dou
   std::vector<ExamineeCount> answered;
   for (const ExamineeCount& count : cell.by_examinee)
     if (count.trials > 0) answered.push_back(count);
-  const bool repeated = std::any_of(answered.begin(), answered.end(),
-                                    [](const ExamineeCount& count) { return count.trials > 1; });
+  const bool repeated =
+      std::ranges::any_of(answered, [](const ExamineeCount& count) { return count.trials > 1; });
   if (answered.size() < 2 || !repeated || cell.correct == 0 || cell.correct == cell.trials)
     return std::nullopt;
   return beta_binomial(answered, {.chance = chance, .corrected = false, .level = level});
@@ -159,8 +159,7 @@ std::vector<StimulusSummary> summarise_stimuli(const StudyDesign& design, const 
     Mean presses{}, exploration{}, force{}, depth{};
   };
   const auto place = [&](const std::string& condition) {  // in the protocol's order
-    return std::find(design.conditions.begin(), design.conditions.end(), condition) -
-           design.conditions.begin();
+    return std::ranges::find(design.conditions, condition) - design.conditions.begin();
   };
   std::map<std::tuple<std::size_t, std::ptrdiff_t, std::string>, Sums> stimuli;
   for (const TrialRow* trial : selection.trials) {
@@ -198,15 +197,15 @@ void take_sessions(const StudyTable& table, const Selection& selection, StudyRep
   report.pseudo_haptic = report.sessions.front().pseudo_haptic;
   report.channel = report.sessions.front().channel;
   for (const TrialRow* trial : selection.voided) {
-    const SessionRow& session = table.sessions[trial->session];
+    const ReportedSession& session = table.sessions[trial->session];
     report.voided.push_back({.examinee = session.examinee,
                              .cell = table.design.cells[trial->cell].name,
                              .reason = trial->void_reason,
                              .session = session.session,
                              .trial = trial->trial});
   }
-  std::copy_if(table.curves.begin(), table.curves.end(), std::back_inserter(report.curves),
-               [&](const ForceCurve& curve) { return curve.run_mode == selection.run_mode; });
+  std::ranges::copy_if(table.curves, std::back_inserter(report.curves),
+                       [&](const ForceCurve& curve) { return curve.run_mode == selection.run_mode; });
 }
 
 // Which answers the tests count. Whoever reads the results and goes on past the plan until they look well
@@ -227,7 +226,7 @@ std::vector<const TrialRow*> take_sample(const Selection& selection, StudyReport
 
 void compute(const Selection& selection, StudyReport& report) {
   const std::vector<const TrialRow*> counted = take_sample(selection, report);
-  for (const Cell& cell : report.design.cells) {
+  for (const DesignCell& cell : report.design.cells) {
     report.cells.push_back(
         {.name = cell.name, .by_examinee = std::vector<ExamineeCount>(report.examinees.size())});
   }

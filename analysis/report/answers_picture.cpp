@@ -43,9 +43,9 @@ Scale scale_of(const StudyReport& report) {
 // The distribution of the number correct under guessing, drawn as a hill whose rejected part is darker.
 std::string hill(const CellResult& cell, const Scale& scale, double base) {
   const std::vector<double>& guessing = cell.primary->under_guessing;
-  const double top = *std::max_element(guessing.begin(), guessing.end());
+  const double top = *std::ranges::max_element(guessing);
   const auto seen = [top](double probability) { return probability > 1e-4 * top; };
-  const auto first = std::find_if(guessing.begin(), guessing.end(), seen) - guessing.begin();
+  const auto first = std::ranges::find_if(guessing, seen) - guessing.begin();
   const auto last = guessing.rend() - std::find_if(guessing.rbegin(), guessing.rend(), seen) - 1;
   const double centre = cell.primary->chance * static_cast<double>(cell.trials);
   std::vector<std::pair<double, double>> all, rejected_low, rejected_high;

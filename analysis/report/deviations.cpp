@@ -27,8 +27,8 @@ void add_looks(const StudyReport& report, std::vector<std::string>& found) {
 }
 
 void add_sessions(const StudyReport& report, std::vector<std::string>& found) {
-  const auto unfinished = std::count_if(report.sessions.begin(), report.sessions.end(),
-                                        [](const SessionRow& session) { return !session.finished; });
+  const auto unfinished = std::ranges::count_if(
+      report.sessions, [](const ReportedSession& session) { return !session.finished; });
   if (unfinished > 0) {
     found.push_back(fmt::format("{} not finished.", counted(unfinished, "session was", "sessions were")));
   }
@@ -42,7 +42,7 @@ void add_sessions(const StudyReport& report, std::vector<std::string>& found) {
 
 void add_versions(const StudyReport& report, std::vector<std::string>& found) {
   std::set<std::string> versions;
-  for (const SessionRow& session : report.sessions) versions.insert(session.software_version);
+  for (const ReportedSession& session : report.sessions) versions.insert(session.software_version);
   if (report.frozen_plan) versions.insert(report.frozen_plan->software_version);
   versions.erase("");
   if (versions.size() < 2) return;
@@ -51,7 +51,7 @@ void add_versions(const StudyReport& report, std::vector<std::string>& found) {
 }
 
 bool begun_before_the_plan(const StudyReport& report) {
-  return std::any_of(report.sessions.begin(), report.sessions.end(), [&](const SessionRow& session) {
+  return std::ranges::any_of(report.sessions, [&](const ReportedSession& session) {
     return session.started_utc < report.frozen_plan->frozen_utc;  // ISO 8601 sorts by time
   });
 }

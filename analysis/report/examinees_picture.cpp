@@ -80,7 +80,7 @@ std::string histogram(const StudyReport& report) {
     for (const ExamineeCount& count : report.cells[c].by_examinee) {
       if (count.trials > 0) ++counts[std::min((kBins - 1L), kBins * count.correct / count.trials)];
     }
-    const double most = static_cast<double>(std::max(1L, *std::max_element(counts.begin(), counts.end())));
+    const double most = static_cast<double>(std::max(1L, *std::ranges::max_element(counts)));
     const double base = kTop + kPanel * static_cast<double>(c + 1);
     for (std::size_t bin = 0; bin < kBins; ++bin) {
       const double left = x.at(100.0 / kBins * static_cast<double>(bin)),

@@ -15,7 +15,7 @@ namespace {
 template <typename Column>
 std::vector<std::string> distinct(const StudyReport& report, Column column) {
   std::set<std::string> values;
-  for (const SessionRow& session : report.sessions) {
+  for (const ReportedSession& session : report.sessions) {
     const std::string value = column(session);
     if (!value.empty()) values.insert(value);
   }
@@ -23,7 +23,8 @@ std::vector<std::string> distinct(const StudyReport& report, Column column) {
 }
 
 std::string examinees(const StudyReport& report) {
-  const std::vector<std::string> devices = distinct(report, [](const SessionRow& s) { return s.device; });
+  const std::vector<std::string> devices =
+      distinct(report, [](const ReportedSession& s) { return s.device; });
   std::string text = fmt::format("{} took part in {} ({} planned; {} complete).",
                                  examinees_word(report, static_cast<long>(report.examinees.size())),
                                  counted(static_cast<long>(report.sessions.size()), "session", "sessions"),
@@ -39,7 +40,7 @@ std::string examinees(const StudyReport& report) {
 std::string task(const StudyReport& report) {
   const StudyDesign& design = report.design;
   std::vector<std::string> cells;
-  for (const Cell& cell : design.cells) cells.push_back(cell.name);
+  for (const DesignCell& cell : design.cells) cells.push_back(cell.name);
   std::string text = fmt::format(
       "Each trial was a two-interval forced choice between {}; the correct answer was the interval with {}.",
       listed(design.conditions), design.correct_condition);
@@ -77,7 +78,7 @@ std::string exploration(const StudyDesign& design) {
 
 std::string order(const StudyReport& report) {
   const std::vector<std::string> sources =
-      distinct(report, [](const SessionRow& s) { return s.order_source; });
+      distinct(report, [](const ReportedSession& s) { return s.order_source; });
   return fmt::format(
       "Trials of all cells were mixed in one order ({}); {}.{}", report.design.cell_order,
       report.design.interval_order == "coin"
@@ -140,8 +141,8 @@ void add_sample_limits(const StudyReport& report, std::vector<std::string>& limi
         "hold for it.",
         report.complete_examinees, report.planned_examinees, report.planned_examinees));
   }
-  const auto unfinished = std::count_if(report.sessions.begin(), report.sessions.end(),
-                                        [](const SessionRow& session) { return !session.finished; });
+  const auto unfinished = std::ranges::count_if(
+      report.sessions, [](const ReportedSession& session) { return !session.finished; });
   if (unfinished > 0) {
     limits.push_back(fmt::format("{} not finished; {}.", counted(unfinished, "session is", "sessions are"),
                                  report.sample
@@ -156,17 +157,17 @@ void add_sample_limits(const StudyReport& report, std::vector<std::string>& limi
                          : "Some examinees sat more than one session: all their answers are counted, as one "
                            "examinee's.");
   }
-  const auto resumed = std::count_if(report.sessions.begin(), report.sessions.end(),
-                                     [](const SessionRow& session) { return session.times_resumed > 0; });
+  const auto resumed = std::ranges::count_if(
+      report.sessions, [](const ReportedSession& session) { return session.times_resumed > 0; });
   if (resumed > 0) {
     limits.push_back(
         fmt::format("{} interrupted and resumed: the interrupted trial was presented again in a new order, "
                     "so its examinee felt a stimulus more often than the others.",
                     counted(resumed, "session was", "sessions were")));
   }
-  const auto seeded =
-      std::count_if(report.sessions.begin(), report.sessions.end(),
-                    [](const SessionRow& session) { return session.order_source.starts_with("seed"); });
+  const auto seeded = std::ranges::count_if(report.sessions, [](const ReportedSession& session) {
+    return session.order_source.starts_with("seed");
+  });
   if (seeded > 0 && report.run_mode != "simulated") {
     limits.push_back(
         fmt::format("The order of {} was drawn from a seed that somebody chose: whoever knows it could know "
@@ -238,8 +239,8 @@ void add_stimulus_limits(const StudyReport& report, std::vector<std::string>& li
     limits.push_back(fmt::format("The haptic loop missed {} in all intervals together.",
                                  counted(missed, "cycle", "cycles")));
   }
-  const bool scaled = std::any_of(report.sessions.begin(), report.sessions.end(),
-                                  [](const SessionRow& session) { return session.force_scale != 1.0; });
+  const bool scaled = std::ranges::any_of(
+      report.sessions, [](const ReportedSession& session) { return session.force_scale != 1.0; });
   if (scaled)
     limits.push_back("Forces were scaled before they were displayed; the factor stands with each session.");
 }

@@ -73,7 +73,7 @@ double simulated_power(const StudyDesign& design, const Power& asked, std::uint6
   const auto [a, b] = asked.overdispersion > 0 ? beta_of(asked) : BetaShape{1, 1};
   boost::random::beta_distribution<> people(a, b);
   long found = 0;
-  std::vector<OrderStratum> sittings(static_cast<std::size_t>(design.planned_examinees));
+  std::vector<OrderStratum> sittings(design.planned_examinees);
   for (long study = 0; study < kStudies; ++study) {
     for (OrderStratum& sitting : sittings) {
       const double p = asked.overdispersion > 0 ? people(random) : asked.probability;

@@ -103,7 +103,7 @@ struct StudyReport {
   std::vector<StimulusSummary> stimuli{};
   std::vector<ForceCurve> curves{};  // of this run mode
   std::vector<VoidedTrial> voided{};
-  std::vector<SessionRow> sessions{};  // of this run mode
+  std::vector<ReportedSession> sessions{};  // of this run mode
   std::optional<FrozenPlan> frozen_plan{};
   std::vector<LookEvent> interim_looks{};  // at results of this run mode, that were not planned
   std::vector<LookEvent> planned_looks{};  // when each was first taken; this one as well

@@ -56,9 +56,10 @@ const std::string kEnd = "</section>\n";
 std::string header(const StudyReport& report) {
   std::string text = fmt::format("<h1>{}: significance report</h1>\n", escape(report.design.protocol_name));
   text += paragraph(
-      fmt::format("Run mode: {}. {} of {} planned examinees complete.{}", report.run_mode,
-                  report.complete_examinees, report.planned_examinees,
-                  report.options.written_utc.empty() ? "" : " Written " + report.options.written_utc + "."),
+      fmt::format(
+          "Run mode: {}. {} of {} planned examinees complete.{}", report.run_mode, report.complete_examinees,
+          report.planned_examinees,
+          report.options.written_utc.empty() ? "" : fmt::format(" Written {}.", report.options.written_utc)),
       "meta");
   for (const std::string& banner : report.banners) {
     text += fmt::format("<p class=\"banner\" role=\"note\">{}</p>\n", escape(banner));
@@ -77,7 +78,7 @@ std::string running_head(const StudyReport& report) {
 std::string summary_paragraph(const StudyReport& report, const std::string& sentence) {
   std::vector<std::string> subjects;
   for (const CellComparison& comparison : report.comparisons) {
-    subjects.push_back(comparison.first + " against " + comparison.second + ":");
+    subjects.push_back(fmt::format("{} against {}:", comparison.first, comparison.second));
   }
   for (const CellResult& cell : report.cells) subjects.push_back(cell.name + ":");
   for (const std::string& subject : subjects) {

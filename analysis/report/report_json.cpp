@@ -50,7 +50,7 @@ ordered_json plain_or_null(const std::optional<Value>& value) {
 
 ordered_json design_json(const StudyDesign& design) {
   ordered_json cells = ordered_json::array();
-  for (const Cell& cell : design.cells) cells.push_back({{"name", cell.name}, {"levels", cell.levels}});
+  for (const DesignCell& cell : design.cells) cells.push_back({{"name", cell.name}, {"levels", cell.levels}});
   return {{"question", design.question},
           {"task", design.task},
           {"conditions", design.conditions},
@@ -165,7 +165,7 @@ ordered_json stimulus_json(const StimulusSummary& stimulus) {
           {"missed_cycles", plain_or_null(stimulus.missed_cycles)}};
 }
 
-ordered_json session_json(const SessionRow& session) {
+ordered_json session_json(const ReportedSession& session) {
   return {{"session", session.session},
           {"examinee", session.examinee},
           {"run_mode", session.run_mode},

@@ -53,7 +53,7 @@ std::string tame(std::string text) {
 }  // namespace
 
 std::string text_report(const StudyReport& report) {
-  std::string text = "Significance report: " + report.design.protocol_name + "\n";
+  std::string text = fmt::format("Significance report: {}\n", report.design.protocol_name);
   text += fmt::format("Run mode: {}; protocol {}\n", report.run_mode,
                       report.design.protocol_sha256.substr(0, 16));
   for (const std::string& banner : report.banners) text += "\n" + wrapped(banner, "!! ", "!! ");

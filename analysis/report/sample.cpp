@@ -17,8 +17,8 @@ bool earlier(const TrialRow* a, const TrialRow* b) {
 std::vector<Completion> completions(const StudyDesign& design, const Selection& selection) {
   std::vector<const TrialRow*> asked = selection.trials;
   asked.insert(asked.end(), selection.voided.begin(), selection.voided.end());
-  std::sort(asked.begin(), asked.end(), earlier);
-  const auto needed = static_cast<std::size_t>(std::max(1, design.trials_per_examinee_per_cell));
+  std::ranges::sort(asked, earlier);
+  const std::size_t needed = std::max(1, design.trials_per_examinee_per_cell);
   std::vector<std::vector<std::size_t>> counts(selection.examinees.size(),
                                                std::vector<std::size_t>(design.cells.size(), 0));
   std::vector<std::size_t> cells_done(selection.examinees.size(), 0);

@@ -73,10 +73,10 @@ std::string loop_picture(const StudyReport& report) {
   double most = kPeriod;
   for (const StimulusSummary& stimulus : report.stimuli) {
     if (!stimulus.worst_loop_p999_ms) continue;
-    const auto cell = std::find_if(report.cells.begin(), report.cells.end(),
-                                   [&](const CellResult& result) { return result.name == stimulus.cell; });
+    const auto cell = std::ranges::find_if(
+        report.cells, [&](const CellResult& result) { return result.name == stimulus.cell; });
     most = std::max(most, *stimulus.worst_loop_p999_ms);
-    rows.push_back({.name = stimulus.cell + ", " + stimulus.condition,
+    rows.push_back({.name = fmt::format("{}, {}", stimulus.cell, stimulus.condition),
                     .note = fmt::format("{} missed cycles", stimulus.missed_cycles.value_or(0)),
                     .from = kPeriod,
                     .to = *stimulus.worst_loop_p999_ms,

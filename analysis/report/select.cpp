@@ -12,7 +12,7 @@
 namespace palpate::analysis {
 namespace {
 
-std::string sitting(const SessionRow& session) {
+std::string sitting(const ReportedSession& session) {
   return fmt::format("examinee {}, session {}", session.examinee, session.session);
 }
 
@@ -58,7 +58,7 @@ void validate_trial(const StudyTable& table, const TrialRow& trial) {
 
 std::string run_mode_of(const StudyTable& table, const ReportOptions& options) {
   std::set<std::string> found;
-  for (const SessionRow& session : table.sessions) found.insert(session.run_mode);
+  for (const ReportedSession& session : table.sessions) found.insert(session.run_mode);
   const std::string modes = listed({found.begin(), found.end()});
   if (found.empty()) refuse("the study holds no session yet: there is nothing to report");
   if (options.run_mode && *options.run_mode == "practice") {
@@ -79,10 +79,10 @@ std::string run_mode_of(const StudyTable& table, const ReportOptions& options) {
 
 // Sessions of one run mode must still be of one kind to be counted together.
 void validate_pool(const StudyTable& table, const std::vector<bool>& chosen) {
-  const SessionRow* first = nullptr;
+  const ReportedSession* first = nullptr;
   for (std::size_t i = 0; i < table.sessions.size(); ++i) {
     if (!chosen[i]) continue;
-    const SessionRow& session = table.sessions[i];
+    const ReportedSession& session = table.sessions[i];
     if (session.protocol_sha256 != table.design.protocol_sha256) {
       refuse(
           fmt::format("{} was run under protocol {}, the study's is {}: different protocols are not "
@@ -118,7 +118,7 @@ void validate(const StudyTable& table) {
 Selection select(const StudyTable& table, const ReportOptions& options) {
   Selection selection{.run_mode = run_mode_of(table, options)};
   std::map<std::string, std::size_t> index;
-  for (const SessionRow& session : table.sessions) {
+  for (const ReportedSession& session : table.sessions) {
     const bool chosen = session.run_mode == selection.run_mode;
     selection.sessions.push_back(chosen);
     if (chosen && index.try_emplace(session.examinee, index.size()).second) {

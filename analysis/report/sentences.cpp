@@ -20,16 +20,18 @@ void write_sentences(const std::vector<std::string>& notes, StudyReport& report)
           : "The orders were balanced and drawn at random, so for answers that owe nothing to the stimulus "
             "every order that could have been drawn is as likely as the one that was; the answers are held "
             "fixed.";
-  report.pooled_claim =
-      "The pooled test asks whether anything but guessing is in the answers. " + why +
-      " A rejection says that somebody told the conditions apart; it does not say how many do.";
-  report.people_claim =
-      "The examinee-level test counts each examinee once. A rejection says that " + people +
-      " like these answer better than by chance on the average; it does not say that every one of them does.";
-  report.comparison_claim =
-      "Cells are compared within examinees, never trial by trial, because trials under different cells are "
-      "not pairs. A rejection says that " +
-      people + " like these do better under one of them on the average.";
+  report.pooled_claim = fmt::format(
+      "The pooled test asks whether anything but guessing is in the answers. {} A rejection says that "
+      "somebody told the conditions apart; it does not say how many do.",
+      why);
+  report.people_claim = fmt::format(
+      "The examinee-level test counts each examinee once. A rejection says that {} like these answer "
+      "better than by chance on the average; it does not say that every one of them does.",
+      people);
+  report.comparison_claim = fmt::format(
+      "Cells are compared within examinees, never trial by trial, because trials under different cells "
+      "are not pairs. A rejection says that {} like these do better under one of them on the average.",
+      people);
   if (!report.complete) {
     const std::string not_yet = fmt::format(" It is read when the sample is complete: {}.", kNoClaim);
     report.people_claim += not_yet;

@@ -12,7 +12,7 @@ namespace palpate::analysis {
 // is.
 
 /// One combination of factor levels, e.g. {"kuroda"} for the factor "contact.model".
-struct Cell {
+struct DesignCell {
   std::string name{};                 // as shown to a reader: "kuroda", or "kuroda, 0.3" with two factors
   std::vector<std::string> levels{};  // one for each entry of StudyDesign::factors
 };
@@ -28,7 +28,7 @@ struct StudyDesign {
   std::vector<std::string> conditions{};  // those compared, in the protocol's order: "soft", "hard"
   std::string correct_condition{};        // the one whose interval is the correct answer
   std::vector<std::string> factors{};     // "contact.model"; empty: one cell
-  std::vector<Cell> cells{};              // at least one; TrialRow::cell indexes into it
+  std::vector<DesignCell> cells{};        // at least one; TrialRow::cell indexes into it
   int trials_per_examinee_per_cell = 0;   // 0: not fixed (an adaptive procedure)
   int planned_examinees = 0;
   std::string procedure = "constant";
@@ -47,7 +47,7 @@ struct StudyDesign {
 };
 
 /// One examinee's sitting.
-struct SessionRow {
+struct ReportedSession {
   int session = 1;  // number of this examinee's sittings, from 1: the exports' session_id
   std::string examinee{};
   std::string run_mode{};  // "study", "pilot", "practice", "simulated"
@@ -71,8 +71,8 @@ struct IntervalRow {
   std::optional<double> exploration_time_s{};
   std::optional<double> peak_force_n{};
   std::optional<double> max_depth_m{};
-  std::optional<double>
-      clamped_fraction{};  // share of cycles in which the device's limit cut the force, 0..1
+  /// Share of cycles in which the device's limit cut the force, 0..1.
+  std::optional<double> clamped_fraction{};
   std::optional<double> loop_rate_hz{};
   std::optional<double> loop_p999_ms{};  // 99.9 % of cycles began no later than this after the one before
   std::optional<long> missed_cycles{};
@@ -125,11 +125,11 @@ struct StudyTable {
   StudyDesign design{};
   std::optional<FrozenPlan> frozen_plan{};
   std::vector<LookEvent> looks{};
-  std::vector<SessionRow> sessions{};
+  std::vector<ReportedSession> sessions{};
   std::vector<TrialRow> trials{};
   std::vector<ForceCurve> curves{};
-  std::vector<std::string>
-      notes{};  // withdrawn examinees and the like, one sentence each, told in the report
+  /// Withdrawn examinees and the like, one sentence each, told in the report.
+  std::vector<std::string> notes{};
 };
 
 }  // namespace palpate::analysis

@@ -122,7 +122,7 @@ TextTable comparison_table(const StudyReport& report) {
                              short_percent(report.options.level) + " interval",
                              label("sign-flip", "sign-flip"), label("Wilcoxon", "wilcoxon")}};
   for (const CellComparison& comparison : report.comparisons) {
-    std::vector<std::string> row{comparison.first + " - " + comparison.second,
+    std::vector<std::string> row{fmt::format("{} - {}", comparison.first, comparison.second),
                                  std::to_string(comparison.examinees)};
     row.push_back(comparison.examinees > 0 ? fmt::format("{:+.1f}", 100 * comparison.mean_difference + 0.0)
                                            : kNone);
@@ -202,13 +202,13 @@ TextTable stimulus_table(const StudyReport& report) {
       .header = {"cell, condition", "intervals", "presses", "time (s)", "peak force (N)", "depth (mm)",
                  "clamped, at worst", "loop p99.9 (ms), at worst", "missed cycles"}};
   for (const StimulusSummary& stimulus : report.stimuli) {
-    table.rows.push_back({stimulus.cell + ", " + stimulus.condition, std::to_string(stimulus.intervals),
-                          decimals(stimulus.mean_presses, 1), optional_number(stimulus.mean_exploration_s),
-                          optional_number(stimulus.mean_peak_force_n),
-                          optional_number(stimulus.mean_max_depth_m, 1000),
-                          stimulus.worst_clamped_fraction ? percent(*stimulus.worst_clamped_fraction) : kNone,
-                          optional_number(stimulus.worst_loop_p999_ms),
-                          stimulus.missed_cycles ? std::to_string(*stimulus.missed_cycles) : kNone});
+    table.rows.push_back(
+        {fmt::format("{}, {}", stimulus.cell, stimulus.condition), std::to_string(stimulus.intervals),
+         decimals(stimulus.mean_presses, 1), optional_number(stimulus.mean_exploration_s),
+         optional_number(stimulus.mean_peak_force_n), optional_number(stimulus.mean_max_depth_m, 1000),
+         stimulus.worst_clamped_fraction ? percent(*stimulus.worst_clamped_fraction) : kNone,
+         optional_number(stimulus.worst_loop_p999_ms),
+         stimulus.missed_cycles ? std::to_string(*stimulus.missed_cycles) : kNone});
   }
   table.note =
       "Means over intervals, but for the worst values and the sum of missed cycles. A loop that did not run "
@@ -230,10 +230,10 @@ TextTable session_table(const StudyReport& report) {
   TextTable table{.title = "Sessions",
                   .header = {"examinee", "session", "begun (UTC)", "finished", "resumed", "device",
                              "order from", "version"}};
-  const bool scaled = std::any_of(report.sessions.begin(), report.sessions.end(),
-                                  [](const SessionRow& session) { return session.force_scale != 1.0; });
+  const bool scaled = std::ranges::any_of(
+      report.sessions, [](const ReportedSession& session) { return session.force_scale != 1.0; });
   if (scaled) table.header.push_back("force scale");
-  for (const SessionRow& session : report.sessions) {
+  for (const ReportedSession& session : report.sessions) {
     table.rows.push_back({session.examinee, std::to_string(session.session), session.started_utc,
                           session.finished ? "yes" : "no", std::to_string(session.times_resumed),
                           session.device, session.order_source, session.software_version});

@@ -22,12 +22,12 @@ Interval bootstrap_interval(std::size_t n,
   // Boost's distribution, unlike the standard library's, draws the same everywhere.
   const boost::random::uniform_int_distribution<std::size_t> any(0, n - 1);
   std::vector<std::size_t> drawn(n);
-  std::vector<double> values(static_cast<std::size_t>(options.resamples));
+  std::vector<double> values(options.resamples);
   for (double& value : values) {
     for (std::size_t& index : drawn) index = any(random);
     value = statistic(drawn);
   }
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   const double ends = static_cast<double>(options.resamples + 1) * (1 - options.level) / 2;
   const auto rank = static_cast<std::size_t>(std::max(1.0, std::floor(ends * (1 + 1e-12))));
   return {.lower = values[rank - 1],

@@ -41,7 +41,7 @@ long square_sum(const Sums& sums, std::size_t columns) {
 
 std::vector<std::vector<long>> orders_of(std::vector<long> row) {
   std::vector<std::vector<long>> orders;
-  std::sort(row.begin(), row.end());
+  std::ranges::sort(row);
   do orders.push_back(row);
   while (std::next_permutation(row.begin(), row.end()));
   return orders;
@@ -62,23 +62,22 @@ States add_row(const States& states, const std::vector<std::vector<long>>& order
     }
   }
   States sorted(reached.begin(), reached.end());
-  std::sort(sorted.begin(), sorted.end());
+  std::ranges::sort(sorted);
   return sorted;
 }
 
 // A row's smallest value is in every column's sum and tells nothing. Rows that are all alike go with it.
 void strip(std::vector<std::vector<long>>& rows) {
   for (std::vector<long>& row : rows) {
-    const long least = *std::min_element(row.begin(), row.end());
+    const long least = *std::ranges::min_element(row);
     for (long& value : row) value -= least;
   }
-  std::erase_if(rows, [](const auto& row) {
-    return std::all_of(row.begin(), row.end(), [](long v) { return v == 0; });
-  });
+  std::erase_if(rows,
+                [](const auto& row) { return std::ranges::all_of(row, [](long v) { return v == 0; }); });
 }
 
 double orders_count(std::vector<long> row) {
-  std::sort(row.begin(), row.end());
+  std::ranges::sort(row);
   double count = 1.0;
   for (std::size_t i = 0, run = 0; i < row.size(); ++i) {
     run = i > 0 && row[i] == row[i - 1] ? run + 1 : 1;
@@ -99,7 +98,7 @@ std::optional<double> shuffled_rows_p(std::vector<std::vector<long>> rows, long 
   for (const std::vector<long>& row : rows) {
     assert(row.size() == columns);
     for (std::size_t j = 0; j < columns; ++j) seen[j] += static_cast<std::uint64_t>(row[j]);
-    largest += static_cast<std::uint64_t>(*std::max_element(row.begin(), row.end()));
+    largest += static_cast<std::uint64_t>(*std::ranges::max_element(row));
   }
   const Packing packing{.columns = columns, .bits = static_cast<int>(std::bit_width(largest))};
   if (packing.columns * static_cast<std::size_t>(packing.bits) > 64) return std::nullopt;

@@ -42,7 +42,7 @@ std::optional<std::vector<long>> on_grid(std::span<const double> differences) {
 
 PValues p_on_grid(const std::vector<long>& steps) {
   std::vector<long> weights(steps.size());
-  std::transform(steps.begin(), steps.end(), weights.begin(), [](long step) { return std::labs(step); });
+  std::ranges::transform(steps, weights.begin(), [](long step) { return std::labs(step); });
   long positive = 0;  // the sum of the positive differences says as much as the sum of all
   for (const long step : steps) positive += std::max(0L, step);
   const std::vector<double> probability = sign_sum_distribution(weights);
@@ -64,7 +64,7 @@ Subsets all_subsets(std::span<const double> d) {
   Subsets subsets{.sums = std::vector<double>(count, 0.0), .means = {}};
   subsets.means.reserve(count);
   for (std::size_t mask = 1; mask < count; ++mask) {
-    const auto last = static_cast<std::size_t>(std::countr_zero(mask));
+    const std::size_t last = std::countr_zero(mask);
     subsets.sums[mask] = subsets.sums[mask & (mask - 1)] + d[last];
     subsets.means.push_back(subsets.sums[mask] / std::popcount(mask));
   }
@@ -149,8 +149,8 @@ SignFlipTest sign_flip_test(std::span<const double> differences, const SignFlipO
   if (!enumerate) test.seed = options.seed;
   if (!test.exact) test.resamples = resamples;
   const double patterns = static_cast<double>(subsets.sums.size()) + (enumerate ? 0 : 1);
-  const bool alike = test.n > 1 && std::all_of(differences.begin(), differences.end(),
-                                               [&](double d) { return d == differences.front(); });
+  const bool alike =
+      test.n > 1 && std::ranges::all_of(differences, [&](double d) { return d == differences.front(); });
   const std::string sampled = fmt::format("{} random subset means, seed {}", resamples, options.seed);
   test.interval = invert(std::move(subsets), patterns, options.level,
                          "test inversion over " + (enumerate ? "all subset means" : sampled));

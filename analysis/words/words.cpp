@@ -74,9 +74,9 @@ std::string chance_in_words(double chance) {
 }
 
 std::size_t columns(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+  return std::ranges::count_if(text, [](char c) {
     return (static_cast<unsigned char>(c) & 0xC0) != 0x80;  // a UTF-8 continuation byte takes no column
-  }));
+  });
 }
 
 std::string wrapped(std::string_view text, std::string_view first, std::string_view next, std::size_t width) {

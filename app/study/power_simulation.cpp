@@ -39,7 +39,7 @@ Rejected test(const analysis::StudyDesign& design,
     for (const trials::SittingCount& c : cell)
       sittings.push_back({c.trials, c.correct_first, c.answers_first, c.correct});
     rejected.push_back(std::ranges::any_of(looks, [&](int look) {
-      const auto seen = std::span(sittings).first(static_cast<std::size_t>(look));
+      const auto seen = std::span(sittings).first(look);
       const analysis::PrimaryTest primary =
           analysis::primary_test(design, seen, 0.95, analysis::look_due(design, look));
       return analysis::rejects(primary.critical, primary.correct);

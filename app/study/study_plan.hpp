@@ -17,8 +17,8 @@ struct PowerRow {
   double d_prime = 0.0;         // of an unbiased observer in the study's task
   analysis::Power alike{};      // were all examinees alike
   analysis::Power differing{};  // with the overdispersion that was asked for
-  std::optional<analysis::SampleSize>
-      size{};  // of the binomial test without looks; balanced orders have none
+  /// Of the binomial test without looks; balanced orders have none.
+  std::optional<analysis::SampleSize> size{};
 };
 
 /// What a protocol amounts to before anybody has sat it.

@@ -50,7 +50,7 @@ analysis::StudyDesign design_of(const trials::Protocol& protocol) {
     design.conditions.push_back(protocol.conditions[condition].name);
   for (const trials::Factor& factor : protocol.factors) design.factors.push_back(factor.key);
   for (const trials::Cell& cell : protocol.cells) {
-    analysis::Cell row{.name = cell.name};
+    analysis::DesignCell row{.name = cell.name};
     for (std::size_t f = 0; f < cell.levels.size(); ++f)
       row.levels.push_back(protocol.factors[f].levels[cell.levels[f]]);
     design.cells.push_back(row);
@@ -60,7 +60,7 @@ analysis::StudyDesign design_of(const trials::Protocol& protocol) {
 
 namespace {
 
-analysis::SessionRow session_of(const std::string& protocol_sha256, const trials::SessionRow& session) {
+analysis::ReportedSession session_of(const std::string& protocol_sha256, const trials::SessionRow& session) {
   const trials::SessionFacts& facts = session.facts;
   return {.session = session.number,
           .examinee = facts.examinee,

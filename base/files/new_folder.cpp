@@ -50,7 +50,7 @@ void write_file(const fs::path& file, std::string_view bytes) {
       ::close(descriptor);
       throw_cannot(why, "write", file);
     }
-    bytes.remove_prefix(static_cast<std::size_t>(written));
+    bytes.remove_prefix(written);
   }
   if (::close(descriptor) != 0) throw_cannot(errno, "write", file);
 }

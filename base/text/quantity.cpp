@@ -71,7 +71,7 @@ double parse_quantity(std::string_view text, Dimension dimension) {
   if (error != std::errc() || !std::isfinite(value))
     throw std::invalid_argument(
         fmt::format("\"{}\" is no quantity; a number and a unit are accepted ({})", text, accepted(units)));
-  const std::string_view name = trim(trimmed.substr(static_cast<std::size_t>(end - trimmed.data())));
+  const std::string_view name = trim(trimmed.substr(end - trimmed.data()));
   for (const Unit& unit : units)
     if (unit.name == name) return value * unit.in_si;
   if (name.empty())

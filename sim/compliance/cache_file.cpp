@@ -61,8 +61,8 @@ std::string encode_payload(const Compliance& compliance) {
   append(bytes, compliance.touch.data(), compliance.touch.size());
   append(bytes, compliance.drawn.data(), compliance.drawn.size());
   for (Eigen::Index column = 0; column < C_TT.cols(); ++column)
-    append(bytes, C_TT.col(column).data() + column, static_cast<std::size_t>(C_TT.rows() - column));
-  append(bytes, compliance.drawn_touch.data(), static_cast<std::size_t>(compliance.drawn_touch.size()));
+    append(bytes, C_TT.col(column).data() + column, C_TT.rows() - column);
+  append(bytes, compliance.drawn_touch.data(), compliance.drawn_touch.size());
   return bytes;
 }
 
@@ -76,7 +76,7 @@ Compliance decode_payload(std::string_view bytes, std::size_t touch, std::size_t
   take(bytes, compliance.drawn.data(), drawn);
   Eigen::MatrixXd& C_TT = compliance.touch_touch;
   for (Eigen::Index column = 0; column < t; ++column)
-    take(bytes, C_TT.col(column).data() + column, static_cast<std::size_t>(t - column));
+    take(bytes, C_TT.col(column).data() + column, t - column);
   C_TT.triangularView<Eigen::StrictlyUpper>() = C_TT.transpose();
   take(bytes, compliance.drawn_touch.data(), static_cast<std::size_t>(d * t));
   return compliance;

@@ -115,8 +115,7 @@ Eigen::MatrixXf drawn_rows(const Border& border, const Compliance& compliance) {
   Eigen::MatrixXf C_DT(static_cast<Eigen::Index>(3 * compliance.drawn.size()), C_TT.cols());
   Eigen::Index next = 0;
   for (std::size_t d = 0; d < compliance.drawn.size(); ++d) {
-    const auto touch =
-        std::lower_bound(compliance.touch.begin(), compliance.touch.end(), compliance.drawn[d]);
+    const auto touch = std::ranges::lower_bound(compliance.touch, compliance.drawn[d]);
     auto target = C_DT.middleRows(static_cast<Eigen::Index>(3 * d), 3);
     if (touch != compliance.touch.end() && *touch == compliance.drawn[d]) {
       target = C_TT.middleRows(3 * (touch - compliance.touch.begin()), 3).cast<float>();

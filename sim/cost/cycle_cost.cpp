@@ -37,11 +37,11 @@ bool bodies_touch(const Model& model, ProbeDisplacements probes, Simulation& alo
 }
 
 /// From shallow to deep: those at which bodies touch, or all if there are none of these.
-std::vector<PressPose> poses_to_time(const Model& model, const CostOptions& options, Simulation& alone,
+std::vector<PressPose> poses_to_time(const Model& model, const CycleSampling& sampling, Simulation& alone,
                                      bool& touching) {
   std::vector<PressPose> all, together;
-  for (int step = 1; step <= options.poses; ++step) {
-    const double depth = options.depth * step / options.poses;
+  for (int step = 1; step <= sampling.poses; ++step) {
+    const double depth = sampling.depth * step / sampling.poses;
     all.push_back({depth, displaced_by(model, depth)});
     if (bodies_touch(model, all.back().probes, alone)) together.push_back(all.back());
   }
@@ -67,7 +67,7 @@ double median_read(const ContactSet& set) {
     times.push_back(microseconds_since(start) / kReads);
   }
   if (!std::isfinite(sum)) throw std::runtime_error("the compliance holds numbers that are not finite");
-  return spread_of(std::move(times)).median;
+  return percentiles_of(std::move(times)).median;
 }
 
 /// How often the system has taken the processor from this thread and given it to another.
@@ -86,7 +86,7 @@ std::size_t to_and_fro(int cycle_number, std::size_t poses) {
 
 }  // namespace
 
-Spread spread_of(std::vector<double> microseconds) {
+Percentiles percentiles_of(std::vector<double> microseconds) {
   if (microseconds.empty()) throw std::invalid_argument("the spread of no times at all");
   std::ranges::sort(microseconds);
   const auto at = [&](double share) {
@@ -98,9 +98,9 @@ Spread spread_of(std::vector<double> microseconds) {
 
 ContactSet final_contact_set(const Model& model, ProbeDisplacements probes, const Loads& loads) {
   ContactSet set;
-  std::vector<std::vector<char>>
-      by_probe;  // nodes that a pressing probe loads: its own columns hold what they do
-  for (const Body& body : model.bodies) by_probe.emplace_back(static_cast<std::size_t>(body.rest.cols()), 0);
+  // Nodes that a pressing probe loads: its own columns hold what they do.
+  std::vector<std::vector<char>> by_probe;
+  for (const Body& body : model.bodies) by_probe.emplace_back(body.rest.cols(), 0);
   for (std::size_t i = 0; i < model.probes.size(); ++i) {
     const Probe& probe = model.probes[i];
     if (!(probes[i].from_rest.dot(probe.direction) > 0.0)) continue;
@@ -131,13 +131,13 @@ struct CycleTimes {
   std::vector<std::vector<double>> by_pose{};  // total at each pose
 };
 
-CycleTimes time_cycles(const std::vector<PressPose>& poses, const CostOptions& options, Simulation& alone,
+CycleTimes time_cycles(const std::vector<PressPose>& poses, const CycleSampling& sampling, Simulation& alone,
                        Simulation& whole) {
   CycleTimes times{.by_pose = std::vector<std::vector<double>>(poses.size())};
   const auto started = Clock::now();
   const int warm_up = 2 * static_cast<int>(poses.size());
-  for (int i = 0; i < warm_up + options.most_cycles; ++i) {
-    if (microseconds_since(started) > 1e6 * options.most_seconds && i > 2 * warm_up) break;
+  for (int i = 0; i < warm_up + sampling.most_cycles; ++i) {
+    if (microseconds_since(started) > 1e6 * sampling.most_seconds && i > 2 * warm_up) break;
     const std::size_t p = to_and_fro(i, poses.size());
     const auto start = Clock::now();
     alone.step(poses[p].probes, kCyclePeriod);
@@ -156,23 +156,23 @@ CycleTimes time_cycles(const std::vector<PressPose>& poses, const CostOptions& o
 
 }  // namespace
 
-CycleCost measure_cycle(const Model& model, const ContactLaw& law, const CostOptions& options) {
-  if (!(options.depth > 0.0)) throw std::invalid_argument("a press of depth 0 has no cost to measure");
+CycleCost measure_cycle(const Model& model, const ContactLaw& law, const CycleSampling& sampling) {
+  if (!(sampling.depth > 0.0)) throw std::invalid_argument("a press of depth 0 has no cost to measure");
   const Model alone_model = without_contact(model), whole_model = with_law(model, law);
   Simulation alone(alone_model), whole(whole_model);
   CycleCost cost{.law = law.name};
-  const std::vector<PressPose> poses = poses_to_time(model, options, alone, cost.touching);
+  const std::vector<PressPose> poses = poses_to_time(model, sampling, alone, cost.touching);
 
   const long interrupted_before = interruptions();
-  CycleTimes times = time_cycles(poses, options, alone, whole);
+  CycleTimes times = time_cycles(poses, sampling, alone, whole);
   cost.interruptions = interruptions() - interrupted_before;
   cost.cycles = static_cast<int>(times.total.size());
-  cost.deformation = spread_of(std::move(times.deformation));
-  cost.interaction = spread_of(std::move(times.interaction));
-  cost.total = spread_of(std::move(times.total));
+  cost.deformation = percentiles_of(std::move(times.deformation));
+  cost.interaction = percentiles_of(std::move(times.interaction));
+  cost.total = percentiles_of(std::move(times.total));
   for (std::size_t p = 0; p < poses.size(); ++p) {
     cost.depths.push_back(poses[p].depth);
-    cost.depth_medians.push_back(spread_of(std::move(times.by_pose[p])).median);
+    cost.depth_medians.push_back(percentiles_of(std::move(times.by_pose[p])).median);
   }
 
   const CycleResult deepest = whole.step(poses.back().probes, kCyclePeriod);

@@ -9,8 +9,8 @@
 
 namespace palpate::sim {
 
-/// How a sample of times is spread [us].
-struct Spread {
+/// Of a sample of times [us].
+struct Percentiles {
   double median = 0.0;
   double p99 = 0.0;
   double p999 = 0.0;
@@ -19,7 +19,7 @@ struct Spread {
 
 /// Smallest time that at least the given share of the sample does not exceed. Throws std::invalid_argument
 /// for an empty sample.
-Spread spread_of(std::vector<double> microseconds);
+Percentiles percentiles_of(std::vector<double> microseconds);
 
 /// Time of one haptic cycle under one contact model, over the poses at which bodies touch.
 struct CycleCost {
@@ -30,14 +30,15 @@ struct CycleCost {
   int active = 0;                       // (node, polygon) pairs at the deepest pose
   int cycles = 0;                       // that were timed
   long interruptions = 0;               // meanwhile, by other programs: they are in the slowest times
-  Spread deformation{};                 // by the probes alone: the same cycle without contact
-  Spread interaction{};                 // detection and contact: the rest of the cycle
-  Spread total{};
+  Percentiles deformation{};            // by the probes alone: the same cycle without contact
+  Percentiles interaction{};            // detection and contact: the rest of the cycle
+  Percentiles total{};
   double limit = 0.0;           // median time to read the final contact set's compliance once [us]
   std::size_t limit_bytes = 0;  // of it
 };
 
-struct CostOptions {
+/// Which cycles are timed.
+struct CycleSampling {
   double depth = 0.0;       // of the deepest pose [m], > 0
   int poses = 64;           // equal steps to the depth; those at which nothing touches are left out
   int most_cycles = 20000;  // the 99.9th percentile needs some thousands
@@ -47,7 +48,7 @@ struct CostOptions {
 /// Presses to and fro over the poses and times each cycle, after one round to warm up. Each cycle is timed
 /// beside one without contact at the same pose, and their difference is the interaction. The probes move a
 /// whole step from cycle to cycle, faster than a hand would at 1 kHz, so less is left from the cycle before.
-CycleCost measure_cycle(const Model& model, const ContactLaw& law, const CostOptions& options);
+CycleCost measure_cycle(const Model& model, const ContactLaw& law, const CycleSampling& sampling);
 
 /// The compliance that the last cycle could not do without: of every node that carries load, the column of
 /// C_TT (what can touch must be moved by it); of every probe that presses, its own columns.

@@ -31,7 +31,7 @@ std::vector<std::vector<int>> neighbours(const TetMesh& mesh) {
   for (const Tetrahedron& corners : mesh.tetrahedra)
     for (const int a : corners) of[a].insert(of[a].end(), corners.begin(), corners.end());
   for (std::vector<int>& list : of) {
-    std::sort(list.begin(), list.end());
+    std::ranges::sort(list);
     list.erase(std::unique(list.begin(), list.end()), list.end());
     list.shrink_to_fit();
   }
@@ -65,7 +65,7 @@ Eigen::SparseMatrix<double> stiffness(const TetMesh& mesh, std::span<const Mater
       const int node_b = mesh.tetrahedra[e][b];
       const std::vector<int>& rows = around[node_b];
       for (int a = 0; a < 4; ++a) {
-        const auto place = std::lower_bound(rows.begin(), rows.end(), mesh.tetrahedra[e][a]);
+        const auto place = std::ranges::lower_bound(rows, mesh.tetrahedra[e][a]);
         const auto block = 3 * (place - rows.begin());
         for (int column = 0; column < 3; ++column) {
           double* values = K.valuePtr() + K.outerIndexPtr()[3 * node_b + column] + block;

@@ -43,9 +43,9 @@ struct Common {
 /// A borrowed view of the lower triangle of a symmetric matrix.
 cholmod_sparse view(const Matrix& lower, int values) {
   cholmod_sparse sparse{};
-  sparse.nrow = static_cast<std::size_t>(lower.rows());
-  sparse.ncol = static_cast<std::size_t>(lower.cols());
-  sparse.nzmax = static_cast<std::size_t>(lower.nonZeros());
+  sparse.nrow = lower.rows();
+  sparse.ncol = lower.cols();
+  sparse.nzmax = lower.nonZeros();
   sparse.p = const_cast<Index*>(lower.outerIndexPtr());
   sparse.i = const_cast<Index*>(lower.innerIndexPtr());
   sparse.x = values == CHOLMOD_PATTERN ? nullptr : const_cast<double*>(lower.valuePtr());
@@ -73,7 +73,7 @@ std::vector<int> fill_reducing_order(const NodeGraph& graph, const std::vector<c
   for (std::size_t column = 0; column < nodes.size(); ++column) {
     pattern.startVec(static_cast<Index>(column));
     pattern.insertBackByOuterInner(static_cast<Index>(column), static_cast<Index>(column)) = 1.0;
-    const auto node = static_cast<std::size_t>(nodes[column]);
+    const std::size_t node = nodes[column];
     for (int k = graph.begin[node]; k < graph.begin[node + 1]; ++k) {
       const Index row = number[graph.neighbour[k]];
       if (row > static_cast<Index>(column))
@@ -114,7 +114,7 @@ Matrix reordered_lower(const Eigen::SparseMatrix<double>& K, const std::vector<i
       const Index row = 3 * place + static_cast<Index>(entry.row() % 3);
       if (place >= 0 && row >= column) entries.emplace_back(row, entry.value());
     }
-    std::sort(entries.begin(), entries.end());
+    std::ranges::sort(entries);
     lower.startVec(column);
     for (const auto& [row, value] : entries) lower.insertBackByOuterInner(column, row) = value;
   }
@@ -151,9 +151,9 @@ struct SupportedStiffness::Factor {
     assert(b.rows() == A.rows());
     if (b.size() == 0) return b;
     cholmod_dense right{};
-    right.nrow = right.d = static_cast<std::size_t>(b.rows());
-    right.ncol = static_cast<std::size_t>(b.cols());
-    right.nzmax = static_cast<std::size_t>(b.size());
+    right.nrow = right.d = b.rows();
+    right.ncol = b.cols();
+    right.nzmax = b.size();
     right.x = const_cast<double*>(b.data());
     right.xtype = CHOLMOD_REAL;
     right.dtype = CHOLMOD_DOUBLE;
@@ -195,7 +195,7 @@ SupportedStiffness::SupportedStiffness(const Eigen::SparseMatrix<double>& K, std
     : factor_(std::make_unique<Factor>()) {
   const NodeGraph graph = node_graph(K);
   require_supports(graph, fixed);
-  std::vector<char> inner(static_cast<std::size_t>(graph.nodes()), 1);
+  std::vector<char> inner(graph.nodes(), 1);
   for (const int node : fixed) inner[node] = 0;
   for (const int node : last) inner[node] = 0;
   factor_->order = fill_reducing_order(graph, inner);

@@ -29,11 +29,11 @@ struct SupportedBody {
 };
 
 std::vector<Piece> pieces_of(const NodeGraph& graph, std::span<const int> fixed) {
-  assert(std::is_sorted(fixed.begin(), fixed.end()));
+  assert(std::ranges::is_sorted(fixed));
   const std::vector<int> piece_of_node = connected_pieces(graph);
   std::vector<Piece> pieces;
   for (int node = 0; node < graph.nodes(); ++node) {
-    const auto piece = static_cast<std::size_t>(piece_of_node[node]);
+    const std::size_t piece = piece_of_node[node];
     if (piece == pieces.size()) pieces.push_back({.first_node = node, .nodes = 0, .fixed = {}});
     ++pieces[piece].nodes;
   }
@@ -72,7 +72,7 @@ void require_enough_nodes(const SupportedBody& body) {
 bool on_one_line(const std::vector<Vec3>& at, const std::vector<int>& nodes) {
   const auto place = [&](int node) -> const Vec3& { return at[node]; };
   const Vec3& start = place(nodes[0]);
-  const int far = *std::max_element(nodes.begin(), nodes.end(), [&](int a, int b) {
+  const int far = *std::ranges::max_element(nodes, [&](int a, int b) {
     return (place(a) - start).squaredNorm() < (place(b) - start).squaredNorm();
   });
   const Vec3 along = place(far) - start;
@@ -86,10 +86,10 @@ bool on_one_line(const std::vector<Vec3>& at, const std::vector<int>& nodes) {
 }
 
 NodeGraph make_graph(int nodes, std::vector<std::pair<int, int>>& edges) {
-  std::sort(edges.begin(), edges.end());
+  std::ranges::sort(edges);
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   NodeGraph graph;
-  graph.begin.assign(static_cast<std::size_t>(nodes) + 1, 0);
+  graph.begin.assign(nodes + 1, 0);
   graph.neighbour.reserve(edges.size());
   for (const auto& [from, to] : edges) {
     ++graph.begin[from + 1];
@@ -113,14 +113,14 @@ NodeGraph node_graph(const Eigen::SparseMatrix<double>& K) {
 }
 
 std::vector<int> connected_pieces(const NodeGraph& graph) {
-  std::vector<int> piece(static_cast<std::size_t>(graph.nodes()), -1), reached;
+  std::vector<int> piece(graph.nodes(), -1), reached;
   int pieces = 0;
   for (int start = 0; start < graph.nodes(); ++start) {
     if (piece[start] >= 0) continue;
     piece[start] = pieces;
     reached.assign(1, start);
     while (!reached.empty()) {
-      const auto node = static_cast<std::size_t>(reached.back());
+      const std::size_t node = reached.back();
       reached.pop_back();
       for (int k = graph.begin[node]; k < graph.begin[node + 1]; ++k) {
         const int next = graph.neighbour[k];

@@ -15,7 +15,7 @@ std::vector<TagAndIndex> index_tags(const Cursor& in, const MshContent& content)
   std::vector<TagAndIndex> sorted;
   sorted.reserve(content.node_tags.size());
   for (int i = 0; const std::int64_t tag : content.node_tags) sorted.emplace_back(tag, i++);
-  std::sort(sorted.begin(), sorted.end());
+  std::ranges::sort(sorted);
   for (std::size_t i = 1; i < sorted.size(); ++i)
     if (sorted[i].first == sorted[i - 1].first)
       in.refuse(content.nodes_offset,
@@ -27,9 +27,9 @@ std::vector<TagAndIndex> index_tags(const Cursor& in, const MshContent& content)
 int find_node(const Cursor& in, const std::vector<TagAndIndex>& sorted, const MshElement& element,
               std::int64_t tag) {
   if (!sorted.empty() && tag >= sorted.front().first) {
-    const auto guess = static_cast<std::size_t>(tag - sorted.front().first);
+    const std::size_t guess = tag - sorted.front().first;
     if (guess < sorted.size() && sorted[guess].first == tag) return sorted[guess].second;
-    const auto found = std::lower_bound(sorted.begin(), sorted.end(), TagAndIndex{tag, -1});
+    const auto found = std::ranges::lower_bound(sorted, TagAndIndex{tag, -1});
     if (found != sorted.end() && found->first == tag) return found->second;
   }
   const std::string known = sorted.empty() ? "no node"
@@ -83,13 +83,13 @@ std::vector<Listing> read_listings(const Cursor& in, const MshContent& content, 
       current = &groups[{element.dimension, element.entity}];
     last = &element;
     Tetrahedron nodes{};
-    const auto count = static_cast<std::size_t>(element.dimension) + 1;
+    const std::size_t count = element.dimension + 1;
     for (std::size_t i = 0; i < count; ++i) nodes[i] = find_node(in, sorted, element, element.node_tags[i]);
     for (std::vector<int>* group : current->nodes)
       group->insert(group->end(), nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(count));
     if (element.dimension != 3) continue;
     listings.push_back({.nodes = nodes, .key = nodes, .element = &element, .groups = current});
-    std::sort(listings.back().key.begin(), listings.back().key.end());
+    std::ranges::sort(listings.back().key);
   }
   return listings;
 }
@@ -101,7 +101,7 @@ std::vector<int> ranks_by_size(const std::vector<Listing>& listings, std::size_t
   for (std::size_t r = 0; r < regions; ++r) sizes[r].second = static_cast<int>(r);
   for (const Listing& listing : listings)
     for (const int region : listing.groups->regions) ++sizes[region].first;
-  std::sort(sizes.begin(), sizes.end());
+  std::ranges::sort(sizes);
   std::vector<int> ranks(regions);
   for (int rank = 0; const auto& [size, region] : sizes) ranks[region] = rank++;
   return ranks;
@@ -111,7 +111,7 @@ std::vector<int> ranks_by_size(const std::vector<Listing>& listings, std::size_t
 std::vector<std::size_t> find_first_listings(const Cursor& in, const std::vector<Listing>& listings) {
   std::vector<std::size_t> order(listings.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+  std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
     const Listing &p = listings[a], &q = listings[b];
     return std::tie(p.key, p.element->entity, a) < std::tie(q.key, q.element->entity, b);
   });
@@ -159,7 +159,7 @@ TetMesh assemble(const Cursor& in, const MshContent& content) {
   GroupsOfEntity groups = name_groups(content, mesh);
   add_tetrahedra(in, read_listings(in, content, groups), mesh);
   for (auto& [name, nodes] : mesh.node_groups) {
-    std::sort(nodes.begin(), nodes.end());
+    std::ranges::sort(nodes);
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   }
   return mesh;

@@ -113,7 +113,7 @@ Number Cursor::raw(const char* what) {
   last_ = offset_;
   std::array<char, sizeof(Number)> buffer{};
   std::memcpy(buffer.data(), bytes_.data() + offset_, sizeof(Number));
-  if (swapped_) std::reverse(buffer.begin(), buffer.end());
+  if (swapped_) std::ranges::reverse(buffer);
   offset_ += sizeof(Number);
   Number value{};
   std::memcpy(&value, buffer.data(), sizeof(Number));
@@ -154,7 +154,7 @@ std::size_t Cursor::claim(std::int64_t count, std::int64_t numbers, std::int64_t
     refuse_last(
         fmt::format("{} {} are claimed, but the {} bytes that are left in the file can hold {} at most",
                     count, what, remaining(), left / each));
-  return static_cast<std::size_t>(count);
+  return count;
 }
 
 void Cursor::refuse(std::size_t at, const std::string& sentence) const {

@@ -47,7 +47,7 @@ struct CellHash {
   std::size_t operator()(const Cell& cell) const {
     std::uint64_t hash = 0;
     for (const std::int64_t i : cell) hash = (hash ^ static_cast<std::uint64_t>(i)) * 0x9e3779b97f4a7c15U;
-    return static_cast<std::size_t>(hash ^ (hash >> 32U));
+    return hash ^ (hash >> 32U);
   }
 };
 
@@ -99,7 +99,7 @@ void refuse_collapsed(const TetMesh& mesh, const std::vector<int>& twin, const s
   for (const Tetrahedron& tetrahedron : mesh.tetrahedra)
     for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t j = 0; j < i; ++j) {
-        const auto a = static_cast<std::size_t>(tetrahedron[i]), b = static_cast<std::size_t>(tetrahedron[j]);
+        const std::size_t a = tetrahedron[i], b = tetrahedron[j];
         if (twin[a] != twin[b]) continue;
         const auto tag = [&](std::size_t k) { return mesh.node_tags[tetrahedron[k]]; };
         throw std::invalid_argument(fmt::format(
@@ -124,7 +124,7 @@ void renumber(TetMesh& mesh, const std::vector<int>& twin, const std::vector<boo
     for (int& node : tetrahedron) node = moved(node);
   for (auto& [name, nodes] : mesh.node_groups) {
     for (int& node : nodes) node = moved(node);
-    std::sort(nodes.begin(), nodes.end());
+    std::ranges::sort(nodes);
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     if (!nodes.empty() && nodes.front() < 0) nodes.erase(nodes.begin());
   }

@@ -34,11 +34,11 @@ constexpr std::array<RefusedType, 13> kRefused = {{{3, "4-node quadrangle", fals
 }  // namespace
 
 int msh_dimension(const Cursor& in, std::int64_t type) {
-  const auto accepted = std::find(kFirstOrder.begin(), kFirstOrder.end(), type);
+  const auto accepted = std::ranges::find(kFirstOrder, type);
   if (accepted != kFirstOrder.end()) return static_cast<int>(accepted - kFirstOrder.begin());
 
-  const auto known = std::find_if(kRefused.begin(), kRefused.end(),
-                                  [&](const RefusedType& refused) { return refused.type == type; });
+  const auto known =
+      std::ranges::find_if(kRefused, [&](const RefusedType& refused) { return refused.type == type; });
   const bool named = known != kRefused.end();
   const char* remedy = named && known->higher_order
                            ? "mesh again at first order (gmsh FILE.geo -3 -order 1 -o OUT.msh)"

@@ -5,7 +5,7 @@
 namespace palpate::sim {
 
 std::int64_t node_tag(const TetMesh& mesh, int node) {
-  const auto index = static_cast<std::size_t>(node);
+  const std::size_t index = node;
   return index < mesh.node_tags.size() ? mesh.node_tags[index] : node;
 }
 

@@ -48,7 +48,7 @@ void read_binary_elements(Cursor& in, std::size_t count, MshContent& content) {
       in.integer("an element's number");
       content.elements.push_back(read_tail(in, dimension, tags, offset));
     }
-    read += static_cast<std::size_t>(block);
+    read += block;
   }
 }
 

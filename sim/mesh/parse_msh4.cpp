@@ -64,8 +64,8 @@ void read_msh4_entities(Cursor& in, MshContent& content) {
 void read_msh4_nodes(Cursor& in, MshContent& content) {
   content.nodes_offset = in.here();
   const Totals totals = read_totals(in, 4, 32, "nodes");
-  content.node_tags.reserve(static_cast<std::size_t>(totals.records));
-  content.nodes.reserve(static_cast<std::size_t>(totals.records));
+  content.node_tags.reserve(totals.records);
+  content.nodes.reserve(totals.records);
   std::int64_t total = 0;
   for (std::int64_t block = 0; block < totals.blocks; ++block) {
     const int dimension = read_dimension(in);
@@ -86,7 +86,7 @@ void read_msh4_nodes(Cursor& in, MshContent& content) {
 
 void read_msh4_elements(Cursor& in, MshContent& content) {
   const Totals totals = read_totals(in, 2, 16, "elements");
-  content.elements.reserve(static_cast<std::size_t>(totals.records));
+  content.elements.reserve(totals.records);
   std::int64_t total = 0;
   for (std::int64_t block = 0; block < totals.blocks; ++block) {
     read_dimension(in);  // the elements' type tells it as well

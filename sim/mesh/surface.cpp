@@ -14,19 +14,19 @@ std::vector<Face> sorted_faces(const TetMesh& mesh) {
       Face face{.tetrahedron = t};
       for (std::size_t i = 0; i < 3; ++i) face.corners[i] = tetrahedron[local[i]];
       face.key = face.corners;
-      std::sort(face.key.begin(), face.key.end());
+      std::ranges::sort(face.key);
       faces.push_back(face);
     }
     ++t;
   }
-  std::sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) {
+  std::ranges::sort(faces, [](const Face& a, const Face& b) {
     return a.key != b.key ? a.key < b.key : a.tetrahedron < b.tetrahedron;
   });
   return faces;
 }
 
 bool same_sense(const Face& a, const Face& b) {
-  const auto start = std::find(b.corners.begin(), b.corners.end(), a.corners[0]) - b.corners.begin();
+  const auto start = std::ranges::find(b.corners, a.corners[0]) - b.corners.begin();
   return b.corners[(start + 1) % 3] == a.corners[1];
 }
 
@@ -38,8 +38,8 @@ Surface extract_surface(const TetMesh& mesh) {
     if (last - first == 1) single.push_back(faces[first]);
   }
   // Neighbours in the file stay neighbours on the surface, which keeps later passes over it in the cache.
-  std::stable_sort(single.begin(), single.end(),
-                   [](const Face& a, const Face& b) { return a.tetrahedron < b.tetrahedron; });
+  std::ranges::stable_sort(single,
+                           [](const Face& a, const Face& b) { return a.tetrahedron < b.tetrahedron; });
 
   Surface surface;
   surface.triangles.reserve(single.size());
@@ -47,7 +47,7 @@ Surface extract_surface(const TetMesh& mesh) {
     surface.triangles.push_back(face.corners);
     surface.nodes.insert(surface.nodes.end(), face.corners.begin(), face.corners.end());
   }
-  std::sort(surface.nodes.begin(), surface.nodes.end());
+  std::ranges::sort(surface.nodes);
   surface.nodes.erase(std::unique(surface.nodes.begin(), surface.nodes.end()), surface.nodes.end());
   return surface;
 }

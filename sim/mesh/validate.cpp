@@ -65,8 +65,8 @@ void refuse_bad_faces(const TetMesh& mesh) {
       crowded.add(fmt::format("face {}-{}-{} ({} tetrahedra)", node_tag(mesh, key[0]), node_tag(mesh, key[1]),
                               node_tag(mesh, key[2]), last - first));
     } else if (last - first == 2 && same_sense(faces[first], faces[first + 1])) {
-      overlapping.add(name_tetrahedron(mesh, faces[first].tetrahedron) + " with " +
-                      name_tetrahedron(mesh, faces[first + 1].tetrahedron));
+      overlapping.add(fmt::format("{} with {}", name_tetrahedron(mesh, faces[first].tetrahedron),
+                                  name_tetrahedron(mesh, faces[first + 1].tetrahedron)));
     }
   }
   crowded.refuse("the surface is open or not a manifold, for more than two tetrahedra share a face",

@@ -24,7 +24,7 @@ template <class Number>
 Number number_at(const char* bytes, bool swapped) {
   std::array<char, sizeof(Number)> buffer{};
   std::memcpy(buffer.data(), bytes, sizeof(Number));
-  if (swapped) std::reverse(buffer.begin(), buffer.end());
+  if (swapped) std::ranges::reverse(buffer);
   Number value{};
   std::memcpy(&value, buffer.data(), sizeof(Number));
   return value;
@@ -76,7 +76,7 @@ std::string binary_bytes(const VtuFile& file, const pugi::xml_node& array, bool 
     throw std::invalid_argument(
         fmt::format("found offset '{}'; a place within the {} bytes of appended data is accepted",
                     printable(array.attribute("offset").value()), file.appended.size()));
-  ByteStream stream(file.appended.substr(static_cast<std::size_t>(offset)), file.appended_is_base64);
+  ByteStream stream(file.appended.substr(offset), file.appended_is_base64);
   return file.compressed ? take_compressed(file, stream) : stream.take(take_size(file, stream));
 }
 
@@ -164,8 +164,7 @@ void refuse(const VtuFile& file, const pugi::xml_node& at, const std::string& se
 
 std::vector<double> read_reals(const VtuFile& file, const pugi::xml_node& array) {
   std::vector<double> values = read_or_refuse<double>(file, array);
-  const auto bad =
-      std::find_if(values.begin(), values.end(), [](double value) { return !std::isfinite(value); });
+  const auto bad = std::ranges::find_if(values, [](double value) { return !std::isfinite(value); });
   if (bad != values.end())
     refuse(file, array,
            fmt::format("array '{}': found {} as value {}; a finite number is accepted",

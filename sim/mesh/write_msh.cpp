@@ -21,13 +21,13 @@ using Out = std::back_insert_iterator<fmt::memory_buffer>;
 /// A volume's nodes are its group already when it is read; only a group that has others is written by its
 /// nodes.
 bool follows_from_region(const TetMesh& mesh, const std::string& name, const std::vector<int>& group) {
-  const auto region = std::find(mesh.region_names.begin(), mesh.region_names.end(), name);
+  const auto region = std::ranges::find(mesh.region_names, name);
   if (region == mesh.region_names.end()) return false;
   std::vector<int> nodes;
   for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
     if (mesh.region[t] == region - mesh.region_names.begin())
       nodes.insert(nodes.end(), mesh.tetrahedra[t].begin(), mesh.tetrahedra[t].end());
-  std::sort(nodes.begin(), nodes.end());
+  std::ranges::sort(nodes);
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   return nodes == group;
 }
@@ -35,9 +35,9 @@ bool follows_from_region(const TetMesh& mesh, const std::string& name, const std
 /// Tags as MSH wants them: positive and each once. Those of the file where they are so, else counted from 1.
 std::vector<std::int64_t> node_tags_for_msh(const TetMesh& mesh) {
   std::vector<std::int64_t> sorted = mesh.node_tags;
-  std::sort(sorted.begin(), sorted.end());
+  std::ranges::sort(sorted);
   const bool usable = sorted.size() == mesh.nodes.size() && (sorted.empty() || sorted.front() > 0) &&
-                      std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
+                      std::ranges::adjacent_find(sorted) == sorted.end();
   if (usable) return mesh.node_tags;
   std::vector<std::int64_t> tags(mesh.nodes.size());
   for (std::size_t i = 0; i < tags.size(); ++i) tags[i] = static_cast<std::int64_t>(i) + 1;
@@ -75,7 +75,7 @@ void write_names(Out out, const TetMesh& mesh, const PointGroups& groups) {
 /// Volume 1 + r is region r; the last one holds the tetrahedra of none.
 std::size_t volume_of(const TetMesh& mesh, std::size_t tetrahedron) {
   const int region = mesh.region.empty() ? -1 : mesh.region[tetrahedron];
-  return region < 0 ? mesh.region_names.size() + 1 : static_cast<std::size_t>(region) + 1;
+  return region < 0 ? mesh.region_names.size() + 1 : region + 1;
 }
 
 void write_entities(Out out, const TetMesh& mesh, const PointGroups& groups,

@@ -67,7 +67,7 @@ void write_point_data(Out out, const TetMesh& mesh, const VtuFields& fields) {
     write_array(out, "UInt8", "group." + group.first, 1, [&] {
       const std::vector<int>& nodes = group.second;
       for (int i = 0; i < static_cast<int>(mesh.nodes.size()); ++i)
-        fmt::format_to(out, "{}\n", std::binary_search(nodes.begin(), nodes.end(), i) ? 1 : 0);
+        fmt::format_to(out, "{}\n", std::ranges::binary_search(nodes, i) ? 1 : 0);
     });
   fmt::format_to(out, "</PointData>\n");
 }

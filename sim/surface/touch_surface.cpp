@@ -25,7 +25,7 @@ void connect(TouchSurface& surface) {
 }
 
 void list_incident(TouchSurface& surface, int nodes) {
-  surface.incident_begin.assign(static_cast<std::size_t>(nodes) + 1, 0);
+  surface.incident_begin.assign(nodes + 1, 0);
   for (const Triangle& triangle : surface.triangles)
     for (const int node : triangle) ++surface.incident_begin[node + 1];
   for (std::size_t i = 1; i < surface.incident_begin.size(); ++i)
@@ -47,7 +47,7 @@ TouchSurface make_touch_surface(const std::vector<Triangle>& triangles, const st
     if (touch[0] >= 0 && touch[1] >= 0 && touch[2] >= 0) surface.triangles.push_back(touch);
   }
   surface.across.assign(surface.triangles.size(), {-1, -1, -1});
-  surface.rim.assign(static_cast<std::size_t>(touchable_nodes), 0);
+  surface.rim.assign(touchable_nodes, 0);
   connect(surface);
   list_incident(surface, touchable_nodes);
   return surface;

@@ -20,8 +20,7 @@ struct Incidence {
 };
 
 Incidence triangles_around_nodes(const std::vector<Triangle>& triangles, Eigen::Index nodes) {
-  Incidence around{std::vector<int>(static_cast<std::size_t>(nodes) + 1),
-                   std::vector<int>(3 * triangles.size())};
+  Incidence around{std::vector<int>(nodes + 1), std::vector<int>(3 * triangles.size())};
   for (const Triangle& triangle : triangles)
     for (const int node : triangle) ++around.begin[node + 1];
   std::partial_sum(around.begin.begin(), around.begin.end(), around.begin.begin());
@@ -88,7 +87,7 @@ void sort_far_to_near(std::vector<Corner>& corners) {
     const Eigen::Vector3f sum = corners[c].position + corners[c + 1].position + corners[c + 2].position;
     order.push_back({{-sum.squaredNorm(), sum.x(), sum.y(), sum.z()}, c});
   }
-  std::sort(order.begin(), order.end());
+  std::ranges::sort(order);
   std::vector<Corner> sorted;
   sorted.reserve(corners.size());
   for (const auto& [key, c] : order) sorted.insert(sorted.end(), &corners[c], &corners[c] + 3);
@@ -110,7 +109,7 @@ Eigen::Matrix3Xf corner_normals(const Eigen::Matrix3Xf& positions, const std::ve
   Eigen::Matrix3Xf normals(3, 3 * count);
   for (Eigen::Index t = 0; t < count; ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto node = static_cast<std::size_t>(triangles[t][k]);
+      const std::size_t node = triangles[t][k];
       Eigen::Vector3f sum = Eigen::Vector3f::Zero();
       for (int i = around.begin[node]; i < around.begin[node + 1]; ++i) {
         const int other = around.triangles[i];

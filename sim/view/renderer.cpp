@@ -135,7 +135,7 @@ Image Renderer::render(const Picture& picture) {
 
   Image image{.width = width, .height = height, .rgb = std::vector<std::uint8_t>(upside_down.size())};
   for (std::size_t y = 0; y < static_cast<std::size_t>(height); ++y)
-    std::copy_n(&upside_down[(static_cast<std::size_t>(height) - 1 - y) * row], row, &image.rgb[y * row]);
+    std::copy_n(&upside_down[(height - 1 - y) * row], row, &image.rgb[y * row]);
   return image;
 }
 

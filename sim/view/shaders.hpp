@@ -2,8 +2,8 @@
 
 namespace palpate::sim {
 
-// GLSL 1.20. Everything is seen from the camera; the lights hang on it, so that a form reads the same from
-// every side.
+/// GLSL 1.20. Everything is seen from the camera; the lights hang on it, so that a form reads the same from
+/// every side.
 inline constexpr const char* kVertexShader = R"(
 #version 120
 attribute vec3 position;
@@ -23,9 +23,9 @@ void main() {
 }
 )";
 
-// Light is added up in nearly linear colours (a gamma of 2: no pow(), which took a fifth of a frame's time).
-// A translucent surface is denser where it is seen from the side, as a film is: this draws its outline. Mesh
-// edges are a faint darkening one pixel wide.
+/// Light is added up in nearly linear colours (a gamma of 2: no pow(), which took a fifth of a frame's time).
+/// A translucent surface is denser where it is seen from the side, as a film is: this draws its outline. Mesh
+/// edges are a faint darkening one pixel wide.
 inline constexpr const char* kFragmentShader = R"(
 #version 120
 varying vec3 at;

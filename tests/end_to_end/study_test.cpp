@@ -200,7 +200,7 @@ TEST_F(StudyEndToEnd, FilesThatAreNoStudyAreRefusedAndLeftAlone) {
       const Outcome outcome = run(arguments);
       EXPECT_EQ(outcome.exit_code, 1) << arguments[0];
       EXPECT_THAT(outcome.err, StartsWith("Error: " + file(name) + ": "));
-      EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1);
+      EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1);
     }
     EXPECT_EQ(read(folder_ / name), before);
   }

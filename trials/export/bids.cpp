@@ -131,10 +131,10 @@ class Writer {
       const auto part = tables_[i].find({session.facts.examinee, session.number});
       if (part == tables_[i].end()) continue;
       any = true;
-      files_.add(stem + kAcquisition[i] + "_beh.tsv", to_tsv(part->second));
+      files_.add(fmt::format("{}{}_beh.tsv", stem, kAcquisition[i]), to_tsv(part->second));
       ordered_json object = sidecar_of(study_.protocol(), session);
       add_columns(object, part->second.columns);
-      add_json(stem + kAcquisition[i] + "_beh.json", object);
+      add_json(fmt::format("{}{}_beh.json", stem, kAcquisition[i]), object);
     }
     if (!any) return;
     sittings_[session.facts.examinee].push_back(session);

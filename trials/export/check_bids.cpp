@@ -143,7 +143,7 @@ bool each_line(const fs::path& file, Use use) {
   std::array<char, 1 << 16> block{};
   int read = 0;
   while ((read = gzread(gzip.get(), block.data(), block.size())) > 0) {
-    rest.append(block.data(), static_cast<std::size_t>(read));
+    rest.append(block.data(), read);
     std::size_t from = 0;
     for (std::size_t end = 0; (end = rest.find('\n', from)) != std::string::npos; from = end + 1)
       use(std::string_view(rest).substr(from, end - from));

@@ -20,7 +20,7 @@ constexpr std::string_view kUtcPattern = R"(\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d(\.\d+
 class CellCheck {
  public:
   explicit CellCheck(const CellRule& rule) : rule_(rule) {
-    if (!rule.pattern.empty()) pattern_.emplace("^(?:" + rule.pattern + ")$", std::regex::optimize);
+    if (!rule.pattern.empty()) pattern_.emplace(fmt::format("^(?:{})$", rule.pattern), std::regex::optimize);
   }
 
   std::string operator()(const std::string& cell) {

@@ -29,7 +29,8 @@ Table codebook_table(const std::vector<Table>& tables) {
   for (const Table& table : tables)
     for (const Column& column : table.columns) {
       std::vector<std::string> levels;
-      for (const Level& level : column.levels) levels.push_back(level.value + ": " + level.meaning);
+      for (const Level& level : column.levels)
+        levels.push_back(fmt::format("{}: {}", level.value, level.meaning));
       codebook.rows.push_back({table.name, column.name, column.title, plain_text(column.description),
                                column.unit, std::string(to_string(column.kind)),
                                optional_number(column.least), optional_number(column.most),

@@ -23,7 +23,7 @@ ordered_json property_value(const Column& column) {
     std::string levels;
     for (const Level& level : column.levels)
       levels += fmt::format("{} {}: {}", levels.empty() ? "" : ";", level.value, level.meaning);
-    if (column.kind == Kind::Text) object["description"] = column.description + "." + levels;
+    if (column.kind == Kind::Text) object["description"] = fmt::format("{}.{}", column.description, levels);
   }
   if (!column.unit.empty()) object["unitText"] = column.unit;
   if (column.least) object["minValue"] = json_number(*column.least);

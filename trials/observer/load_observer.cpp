@@ -31,7 +31,8 @@ double quantity(TomlReader& reader, const std::string& key, Dimension dimension,
   return found;
 }
 
-Spread spread(TomlReader& reader, const std::string& key, Dimension dimension, std::string_view example) {
+Variation read_variation(TomlReader& reader, const std::string& key, Dimension dimension,
+                         std::string_view example) {
   return {.mean = quantity(reader, key, dimension, example, false),
           .between = quantity(reader, key + "_between_examinees", dimension, example, true),
           .within = quantity(reader, key + "_within_examinee", dimension, example, true)};
@@ -43,8 +44,8 @@ TomlReader section(TomlReader& reader, std::string_view key) {
 }
 
 void read_press(TomlReader press, ObserverParameters& p) {
-  p.depth = spread(press, "depth", Dimension::Length, "\"4.5 mm\"");
-  p.duration = spread(press, "duration", Dimension::Time, "\"0.6 s\"");
+  p.depth = read_variation(press, "depth", Dimension::Length, "\"4.5 mm\"");
+  p.duration = read_variation(press, "duration", Dimension::Time, "\"0.6 s\"");
   p.tremor = quantity(press, "tremor", Dimension::Length, "\"0.05 mm\"", true);
   p.tremor_period = quantity(press, "tremor_period", Dimension::Time, "\"0.1 s\"", false);
   p.drift = quantity(press, "drift", Dimension::Length, "\"0.2 mm\"", true);
@@ -67,8 +68,8 @@ void read_decision(TomlReader decision, ObserverParameters& p) {
   decision.refuse_unknown();
 }
 
-nlohmann::json as_json(const Spread& spread) {
-  return {{"mean", spread.mean}, {"between", spread.between}, {"within", spread.within}};
+nlohmann::json as_json(const Variation& variation) {
+  return {{"mean", variation.mean}, {"between", variation.between}, {"within", variation.within}};
 }
 
 }  // namespace

@@ -30,8 +30,8 @@ Wave draw_wave(double rms, double period, Generator& generator) {
           .phase = 2 * std::numbers::pi * generator.uniform()};
 }
 
-double draw(const Spread& spread, Generator& generator) {
-  return spread.mean + spread.between * generator.normal();
+double draw(const Variation& variation, Generator& generator) {
+  return variation.mean + variation.between * generator.normal();
 }
 
 std::array<float, 3> single(const sim::Vec3& v) {
@@ -72,7 +72,7 @@ std::vector<sim::Vec3> plan_press(const Observer& observer, const sim::Vec3& dir
 }
 
 IntervalRecord drive(const sim::Model& model, sim::Simulation& simulation, const std::vector<sim::Vec3>& path,
-                     const Device& device) {
+                     const ForceOutput& output) {
   const sim::Vec3 direction = model.probes.front().direction;
   std::vector<sim::ProbeDisplacement> probes(model.probes.size());  // the other probes stay where they rest
   IntervalRecord record{.trace = Trace(path.size())};
@@ -80,10 +80,10 @@ IntervalRecord drive(const sim::Model& model, sim::Simulation& simulation, const
   for (std::size_t i = 0; i < path.size(); ++i) {
     probes.front().from_rest = path[i];
     const sim::CycleResult result = simulation.step(probes, 1 / kObserverRate);
-    sim::Vec3 force = device.force_scale * result.probe_forces.front();
+    sim::Vec3 force = output.force_scale * result.probe_forces.front();
     const double magnitude = force.norm();
-    if (magnitude > device.max_force) {
-      force *= device.max_force / magnitude;
+    if (magnitude > output.max_force) {
+      force *= output.max_force / magnitude;
       ++clamped;
     }
     const auto depth = static_cast<float>(path[i].dot(direction));

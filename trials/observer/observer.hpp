@@ -14,14 +14,14 @@
 namespace palpate::trials {
 
 /// A quantity that differs between people and from press to press.
-struct Spread {
+struct Variation {
   double mean = 0.0;
   double between = 0.0;  // standard deviation between examinees
   double within = 0.0;   // standard deviation between presses of one examinee
 };
 
 /// How the force of the scene becomes the force on the finger: scaled, then cut.
-struct Device {
+struct ForceOutput {
   double force_scale = 1.0;     // [-]
   double max_force = INFINITY;  // largest magnitude that the device gives [N]
 };
@@ -33,26 +33,26 @@ struct ObserverParameters {
   std::string text{};  // of the file
 
   // How the hand presses.
-  Spread depth{};              // deepest point that is aimed at [m]
-  Spread duration{};           // of the way in [s]; the rest of the second the finger stays
+  Variation depth{};           // deepest point that is aimed at [m]
+  Variation duration{};        // of the way in [s]; the rest of the second the finger stays
   double tremor = 0.0;         // along the press, root mean square [m]
   double tremor_period = 0.1;  // [s]
   double drift = 0.0;          // sideways, root mean square in each direction [m]
   double drift_period = 1.0;   // [s]
 
-  Device device{};
+  ForceOutput device{};
 
   // What is perceived.
   double force_noise = 0.0;     // of each sample, standard deviation [N]
   double position_noise = 0.0;  // of each sample, standard deviation [m]
   /// Relative difference of the perceived stiffness that a 2IFC question is answered correctly at in 75 % of
   /// the trials, apart from lapses, bias and the noise of samples.
-  Spread weber_fraction{};  // within is 0
+  Variation weber_fraction{};  // within is 0
 
   // How the answer is given.
   double lapse_rate = 0.0;  // share of trials that are answered by a coin
-  Spread
-      interval_bias{};  // towards the second interval, in standard deviations of the difference; within is 0
+  /// Towards the second interval, in standard deviations of the difference; within is 0.
+  Variation interval_bias{};
 };
 
 /// Throws std::invalid_argument: file, line or key, what was found, what is accepted.
@@ -82,7 +82,7 @@ std::vector<sim::Vec3> plan_press(const Observer& observer, const sim::Vec3& dir
 
 /// Moves the model's first probe along `path`, cycle by cycle, and gives the force back as the device would.
 IntervalRecord drive(const sim::Model& model, sim::Simulation& simulation, const std::vector<sim::Vec3>& path,
-                     const Device& device);
+                     const ForceOutput& output);
 
 /// How stiff the interval felt: logarithm of the least-squares slope of noisy force over noisy depth, with
 /// the internal noise that the Weber fraction stands for. Knows nothing but the positions that the finger

@@ -186,7 +186,7 @@ void check_simulation(const std::filesystem::path& path, const Protocol& protoco
 }
 
 void check_clamping(const Protocol& protocol, const Stimuli& stimuli, const ObserverParameters& observer) {
-  const Device& device = observer.device;
+  const ForceOutput& device = observer.device;
   for (std::size_t cell = 0; cell < protocol.cells.size(); ++cell) {
     double weakest = std::numeric_limits<double>::infinity();
     for (const std::size_t condition : protocol.presented) {

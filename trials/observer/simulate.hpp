@@ -12,8 +12,8 @@ namespace palpate::trials {
 
 /// A simulated examinee's answer to one trial, with everything that led to it.
 struct SimulatedTrial {
-  std::vector<IntervalRecord>
-      presentations{};  // in order; an interval not explored enough is followed by itself again
+  /// In order; an interval not explored enough is followed by itself again.
+  std::vector<IntervalRecord> presentations{};
   int response = 0;
 };
 

@@ -1,5 +1,7 @@
 #include "trials/study/chain_parts.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "trials/study/ledger_store.hpp"
@@ -7,7 +9,7 @@
 namespace palpate::trials {
 
 std::string code_at_site(const std::string& site, const std::string& code) {
-  return site.empty() ? code : site + "-" + code;
+  return site.empty() ? code : fmt::format("{}-{}", site, code);
 }
 
 ChainParts::ChainParts(const StudyRow& study, std::vector<MergedPart> parts) {

@@ -19,7 +19,7 @@ std::size_t index_of(const std::vector<Named>& all, std::string_view name, std::
   if (found == all.end())
     throw std::invalid_argument(fmt::format(
         "the study file is damaged: {} names \"{}\", which its protocol does not have", who, name));
-  return static_cast<std::size_t>(found - all.begin());
+  return found - all.begin();
 }
 
 }  // namespace palpate::trials

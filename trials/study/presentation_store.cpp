@@ -76,7 +76,7 @@ std::vector<PresentationRow> PresentationStore::of_session(std::int64_t session)
       p.exploration = {rows.number(9), rows.real(10), rows.real(11), rows.real(12)};
       p.clamped_fraction = rows.real(13);
       if (!rows.is_null(14)) p.loop = LoopTiming{rows.real(14), rows.real(15), rows.integer(16)};
-      p.samples = static_cast<std::size_t>(rows.integer(17));
+      p.samples = rows.integer(17);
       p.trace_sha256 = rows.text(18);
     }
     found.push_back(std::move(p));

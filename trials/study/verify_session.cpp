@@ -157,7 +157,7 @@ void check_redraws(const SittingInFile& in, const std::string& who, const std::v
     if (drawn.draw == 0) continue;
     const std::string place = fmt::format("{}, trial {}, draw {}", who, drawn.trial.number, drawn.draw);
     const auto events = events_of(in, event_kind::kDrawnAgain, drawn.trial.number);
-    const auto at = static_cast<std::size_t>(drawn.draw - 1);
+    const std::size_t at = drawn.draw - 1;
     if (at >= events.size()) {
       problems.add("{}: no event in the chain tells of it", place);
       continue;

@@ -88,7 +88,7 @@ Column one_of(Column column, const std::string& value, const std::string& meanin
 Column of_factor(const Factor& factor) {
   Column column = text(column_name(factor.key), factor.key, "Level of the factor " + factor.key);
   for (const std::string& level : factor.levels)
-    column.levels.push_back({plain_text(level), factor.key + " = " + plain_text(level)});
+    column.levels.push_back({plain_text(level), fmt::format("{} = {}", factor.key, plain_text(level))});
   return column;
 }
 

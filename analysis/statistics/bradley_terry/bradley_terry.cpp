@@ -39,7 +39,7 @@ At evaluate(const ComparisonGraph& graph, Link link, const Eigen::VectorXd& valu
         .expected = Eigen::MatrixXd::Zero(count, count)};
   for (Eigen::Index i = 0; i < count; ++i) {
     for (Eigen::Index j = i + 1; j < count; ++j) {
-      const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
+      const std::size_t a = i, b = j;
       const double wins = graph.wins[a][b], trials = wins + graph.wins[b][a];
       if (trials == 0) continue;
       const double difference = values[i] - values[j];
@@ -117,9 +117,9 @@ void judge(PairedScaling& result, const ComparisonGraph& graph) {
 }
 
 Eigen::Index index_of(const ComparisonGraph& graph, const std::string& name) {
-  const auto found = std::find(graph.names.begin(), graph.names.end(), name);
+  const auto found = std::ranges::find(graph.names, name);
   if (found == graph.names.end()) {
-    throw std::invalid_argument("reference is '" + name + "'; accepted: " + listed(graph.names));
+    throw std::invalid_argument(fmt::format("reference is '{}'; accepted: {}", name, listed(graph.names)));
   }
   return found - graph.names.begin();
 }
@@ -129,7 +129,7 @@ Eigen::Index index_of(const ComparisonGraph& graph, const std::string& name) {
 ScaleModel scale_model_from_name(std::string_view name) {
   if (name == "bradley-terry") return ScaleModel::BradleyTerry;
   if (name == "thurstone") return ScaleModel::ThurstoneV;
-  throw std::invalid_argument("model is '" + std::string(name) + "'; accepted: bradley-terry, thurstone");
+  throw std::invalid_argument(fmt::format("model is '{}'; accepted: bradley-terry, thurstone", name));
 }
 
 std::string_view name_of(ScaleModel model) {

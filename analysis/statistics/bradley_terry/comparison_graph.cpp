@@ -38,7 +38,7 @@ std::string names_where(const ComparisonGraph& graph, const std::vector<bool>& c
 }
 
 bool all(const std::vector<bool>& chosen) {
-  return std::find(chosen.begin(), chosen.end(), false) == chosen.end();
+  return std::ranges::find(chosen, false) == chosen.end();
 }
 
 void refuse_disconnected(const ComparisonGraph& graph) {
@@ -75,7 +75,8 @@ ComparisonGraph comparison_graph(const std::vector<Comparison>& comparisons) {
   std::set<std::string> names;
   for (const Comparison& one : comparisons) {
     if (one.winner == one.loser) {
-      throw std::invalid_argument("'" + one.winner + "' is compared with itself; accepted: two items");
+      throw std::invalid_argument(
+          fmt::format("'{}' is compared with itself; accepted: two items", one.winner));
     }
     if (one.count < 1) {
       throw std::invalid_argument(fmt::format("count is {} for '{}' over '{}'; accepted: 1 and more",
@@ -87,8 +88,7 @@ ComparisonGraph comparison_graph(const std::vector<Comparison>& comparisons) {
   ComparisonGraph graph{.names = {names.begin(), names.end()}};
   graph.wins.assign(names.size(), std::vector<double>(names.size(), 0.0));
   const auto index = [&](const std::string& name) {
-    return static_cast<std::size_t>(std::lower_bound(graph.names.begin(), graph.names.end(), name) -
-                                    graph.names.begin());
+    return std::ranges::lower_bound(graph.names, name) - graph.names.begin();
   };
   for (const Comparison& one : comparisons) {
     graph.wins[index(one.winner)][index(one.loser)] += static_cast<double>(one.count);

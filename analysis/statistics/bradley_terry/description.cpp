@@ -63,11 +63,11 @@ std::string test_line(const char* what, const ChiSquaredTest& test) {
 
 std::string in_words(const PairedScaling& result) {
   std::vector<ScaledItem> items = result.items;
-  std::stable_sort(items.begin(), items.end(),
-                   [](const ScaledItem& one, const ScaledItem& other) { return one.value > other.value; });
+  std::ranges::stable_sort(
+      items, [](const ScaledItem& one, const ScaledItem& other) { return one.value > other.value; });
   std::string text = fmt::format(
       "{} of {} items; {}\n", counted(result.comparisons, "comparison", "comparisons"), items.size(),
-      result.reference ? "'" + *result.reference + "' is 0" : "the mean of the values is 0");
+      result.reference ? fmt::format("'{}' is 0", *result.reference) : "the mean of the values is 0");
   for (const ScaledItem& item : items) {
     text += fmt::format("{}: {} (standard error {}, {} interval {}; {} won, {} lost)\n", item.name,
                         decimals(item.value, 3), decimals(item.standard_error, 3),

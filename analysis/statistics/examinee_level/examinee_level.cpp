@@ -18,7 +18,7 @@ ExamineeLevelTest examinee_level_test(std::span<const ExamineeCount> counts, dou
                     chance));
   }
   std::vector<double> above(counts.size());
-  std::transform(counts.begin(), counts.end(), above.begin(), [chance](const ExamineeCount& count) {
+  std::ranges::transform(counts, above.begin(), [chance](const ExamineeCount& count) {
     require_counts(count.correct, count.trials);
     return static_cast<double>(count.correct) / static_cast<double>(count.trials) - chance;
   });

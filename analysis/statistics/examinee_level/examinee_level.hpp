@@ -14,8 +14,8 @@ struct ExamineeLevelTest {
   double chance = 0.5;
   double mean_proportion = 0.0;  // each examinee counts the same, however many trials
   double deviation = 0.0;        // standard deviation of the proportions; 0 with one examinee
-  std::optional<double>
-      standardised{};  // (mean - chance)/deviation, Cohen's d of one sample; none where that is 0
+  /// (mean - chance)/deviation, Cohen's d of one sample; none where that is 0.
+  std::optional<double> standardised{};
   PValues p{};
   Interval interval{};  // for the mean proportion, by inverting the test, cut to 0..1; NaN when all are alike
   SignFlipTest test{};  // on (proportion - chance)

@@ -54,7 +54,7 @@ Outcome merge_bootstrap(const std::vector<ordered_json>& shards) {
   std::vector<const ordered_json*> parts;
   parts.reserve(shards.size());
   for (const ordered_json& shard : shards) parts.push_back(&shard_part(shard));
-  std::sort(parts.begin(), parts.end(), [](const ordered_json* a, const ordered_json* b) {
+  std::ranges::sort(parts, [](const ordered_json* a, const ordered_json* b) {
     return a->at("first").get<long>() < b->at("first").get<long>();
   });
   const PsychometricRequest request = request_from_json(parts.front()->at("asked"));

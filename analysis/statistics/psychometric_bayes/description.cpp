@@ -46,7 +46,7 @@ Outcome psychometric_bayes_outcome(const Arguments& asked) {
   const Method method{.name = "Bayesian beta-binomial psychometric function over a grid",
                       .source = "Schuett et al. 2016"};
   if (const auto unfit = unfit_levels(blocks, {.shape = shape, .guess = 0, .lapse_upper = 0})) {
-    Outcome none{.json = unanswered(*unfit), .text = "No function: " + *unfit + ".\n"};
+    Outcome none{.json = unanswered(*unfit), .text = fmt::format("No function: {}.\n", *unfit)};
     none.json["method"] = to_json(method);
     return none;
   }
@@ -72,7 +72,7 @@ Outcome psychometric_bayes_outcome(const Arguments& asked) {
       (fit.guess ? posterior_line("Guess rate", *fit.guess)
                  : fmt::format("Guess rate: {}, fixed\n", *guess == 0 ? "0" : chance_in_words(*guess))) +
       posterior_line("Overdispersion eta (0: binomial)", fit.eta) + "Priors:\n";
-  for (const std::string& prior : fit.priors) outcome.text += "  " + prior + '\n';
+  for (const std::string& prior : fit.priors) outcome.text += fmt::format("  {}\n", prior);
   outcome.text += method_line(method);
   return outcome;
 }

@@ -21,8 +21,8 @@ std::vector<PsychometricCondition> conditions_of(const DataTable& table) {
   const std::vector<Block> blocks = blocks_of(table);
   std::vector<PsychometricCondition> conditions;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
-    auto found = std::find_if(conditions.begin(), conditions.end(),
-                              [&](const PsychometricCondition& one) { return one.name == names[i]; });
+    auto found = std::ranges::find_if(conditions,
+                                      [&](const PsychometricCondition& one) { return one.name == names[i]; });
     if (found == conditions.end()) found = conditions.insert(conditions.end(), {.name = names[i]});
     found->blocks.push_back(blocks[i]);
   }

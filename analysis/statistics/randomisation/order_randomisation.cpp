@@ -33,7 +33,7 @@ void validate(const OrderStratum& s) {
 
 /// Probability of 0, 1, ... trials correct answers in one stratum.
 std::vector<double> of_stratum(const OrderStratum& s) {
-  std::vector<double> probability(static_cast<std::size_t>(s.trials) + 1, 0.0);
+  std::vector<double> probability(s.trials + 1, 0.0);
   const auto count = [](long n) { return static_cast<unsigned>(n); };
   const boost::math::hypergeometric_distribution<> both(count(s.correct_first), count(s.answers_first),
                                                         count(s.trials));
@@ -68,10 +68,10 @@ std::vector<double> all_p(const std::vector<double>& probability, Side side) {
     std::partial_sum(probability.begin(), probability.end(), p.begin());
   } else {
     std::vector<double> sorted = probability, sums(probability.size());
-    std::sort(sorted.begin(), sorted.end());
+    std::ranges::sort(sorted);
     std::partial_sum(sorted.begin(), sorted.end(), sums.begin());
     for (std::size_t k = 0; k < p.size(); ++k) {
-      const auto above = std::upper_bound(sorted.begin(), sorted.end(), probability[k] * (1 + kAlike));
+      const auto above = std::ranges::upper_bound(sorted, probability[k] * (1 + kAlike));
       p[k] = sums[above - sorted.begin() - 1];
     }
   }
@@ -120,7 +120,7 @@ OrderRandomisationTest order_randomisation_test(std::span<const OrderStratum> st
   for (std::size_t k = 0; k < test.under_guessing.size(); ++k)
     variance += std::pow(static_cast<double>(k) - test.expected, 2) * test.under_guessing[k];
   test.standard_deviation = std::sqrt(variance);
-  test.p = p_of(test.under_guessing, static_cast<std::size_t>(test.correct));
+  test.p = p_of(test.under_guessing, test.correct);
   test.critical = region(test.under_guessing, alpha, side);
   test.method = {.name = "randomisation test over the admissible orders, exact",
                  .source = "Edgington & Onghena 2007"};

@@ -53,13 +53,13 @@ SignTest sign_test(std::span<const double> differences, double level) {
   if (differences.empty()) throw std::invalid_argument("no differences; the sign test needs at least 1");
   require_level(level, "confidence level");
   for (const double difference : differences) require_finite(difference, "difference");
-  const auto positive = std::count_if(differences.begin(), differences.end(), [](double d) { return d > 0; });
-  const auto negative = std::count_if(differences.begin(), differences.end(), [](double d) { return d < 0; });
+  const auto positive = std::ranges::count_if(differences, [](double d) { return d > 0; });
+  const auto negative = std::ranges::count_if(differences, [](double d) { return d < 0; });
   SignTest test = sign_test_of_counts(positive, negative, level);
   test.n = differences.size();
   test.zeros = static_cast<long>(test.n) - positive - negative;
   std::vector<double> sorted(differences.begin(), differences.end());
-  std::sort(sorted.begin(), sorted.end());
+  std::ranges::sort(sorted);
   const std::size_t middle = sorted.size() / 2;
   test.median = sorted.size() % 2 == 1 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
   test.interval = median_interval(sorted, level);

@@ -50,8 +50,7 @@ void validate(std::span<const double> differences, double level) {
   }
   for (const double difference : differences) require_finite(difference, "difference");
   require_level(level, "confidence level");
-  if (std::all_of(differences.begin(), differences.end(),
-                  [&](double d) { return d == differences.front(); })) {
+  if (std::ranges::all_of(differences, [&](double d) { return d == differences.front(); })) {
     throw std::invalid_argument(
         fmt::format("all differences are {}; the t-test needs some that differ", differences.front()));
   }

@@ -29,7 +29,7 @@ Ranks rank(std::span<const double> differences, Zeros zeros) {
   for (const double d : differences) {
     if (d != 0 || zeros == Zeros::Pratt) sorted.push_back(d);
   }
-  std::sort(sorted.begin(), sorted.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+  std::ranges::sort(sorted, [](double a, double b) { return std::abs(a) < std::abs(b); });
   Ranks ranks;
   for (std::size_t first = 0, last = 0; first < sorted.size(); first = last) {
     while (last < sorted.size() && std::abs(sorted[last]) == std::abs(sorted[first])) ++last;
@@ -173,8 +173,7 @@ Interval rank_biserial_interval(std::span<const double> differences, Zeros zeros
   validate_ranks(differences, options.level);
   std::vector<double> drawn(differences.size());
   const auto statistic = [&](std::span<const std::size_t> chosen) {
-    std::transform(chosen.begin(), chosen.end(), drawn.begin(),
-                   [&](std::size_t i) { return differences[i]; });
+    std::ranges::transform(chosen, drawn.begin(), [&](std::size_t i) { return differences[i]; });
     return rank_biserial(rank(drawn, zeros));
   };
   return bootstrap_interval(differences.size(), statistic, options);

@@ -57,8 +57,8 @@ SceneCost measure(const CostOptions& options, const std::string& file, sim::Comp
     cost.nodes += static_cast<int>(body.mesh->nodes.size());
     cost.touchable += static_cast<int>(body.rest.cols());
   }
-  sim::CostOptions how{.depth =
-                           options.depth.empty() ? model.probes.front().depth : parse_depth(options.depth)};
+  sim::CycleSampling how{.depth =
+                             options.depth.empty() ? model.probes.front().depth : parse_depth(options.depth)};
   if (!(how.depth > 0.0))
     throw std::invalid_argument(fmt::format("--depth {}: accepted: > 0", options.depth));
   for (const sim::ContactLaw* law : sim::contact_laws())
@@ -68,7 +68,7 @@ SceneCost measure(const CostOptions& options, const std::string& file, sim::Comp
 }
 
 void print_row(const std::string& model, const std::string& contacts, const char* what,
-               const sim::Spread& times) {
+               const sim::Percentiles& times) {
   fmt::print("{:<9} {:>8}  {:<12} {:>9.2f} {:>9.2f} {:>9.2f} {:>9.2f}\n", model, contacts, what, times.median,
              times.p99, times.p999, times.slowest);
 }
@@ -98,7 +98,7 @@ void print_text(const std::vector<SceneCost>& costs) {
              kPaperDeformation, kPaperInteraction, kPaperTotal, kPaperNodes, kPaperSource);
 }
 
-ordered_json to_json(const sim::Spread& times) {
+ordered_json to_json(const sim::Percentiles& times) {
   return {{"median", times.median}, {"p99", times.p99}, {"p99_9", times.p999}, {"slowest", times.slowest}};
 }
 

@@ -56,7 +56,7 @@ std::string study_press_text(const trials::Protocol& protocol, const std::vector
     conditions += fmt::format("{:>{}}", pressed[i].condition, width[i]);
   }
   text.erase(text.find_last_not_of(' ') + 1);
-  text += "\n" + conditions + "\n";
+  text += fmt::format("\n{}\n", conditions);
   for (std::size_t step = 0; step < pressed.front().press.curve.size(); ++step) {
     text += fmt::format("{:>10.3f}", 1e3 * pressed.front().press.curve[step].depth);
     for (std::size_t i = 0; i < pressed.size(); ++i)

@@ -78,11 +78,11 @@ void run_run(const RunOptions& options) {
   const int all = trials::trials_per_session(protocol);
   if (session.view().resumed)
     fmt::print(stderr, "{} has an unfinished session: it goes on, {} of {} questions are answered.\n",
-               options.examinee, static_cast<std::size_t>(all) - session.pending().size(), all);
+               options.examinee, session.answered(), all);
 
   const HostEnd end = host.lead(session, protocol, organs, std::move(device));
-  fmt::print("{}: {} of {} questions answered, all saved in {}\n", options.examinee,
-             static_cast<std::size_t>(all) - session.pending().size(), all, options.study);
+  fmt::print("{}: {} of {} questions answered, all saved in {}\n", options.examinee, session.answered(), all,
+             options.study);
   fmt::print("receipt {}\n", trials::to_string(session.receipt()));
   if (end == HostEnd::Complete) return;
   fmt::print(stderr, "The session is paused; the same command takes it up again.\n");

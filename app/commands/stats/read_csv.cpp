@@ -29,7 +29,7 @@ bool is_number(const std::string& field) {
 
 // A line that names columns: no field is a number or a missing value.
 bool is_header(const CsvRow& row) {
-  return std::none_of(row.fields.begin(), row.fields.end(), [](const std::string& field) {
+  return std::ranges::none_of(row.fields, [](const std::string& field) {
     std::string lower = field;
     for (char& c : lower) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
     const bool missing = lower.empty() || lower == "nan" || lower == "na" || lower == "n/a";
@@ -40,7 +40,8 @@ bool is_header(const CsvRow& row) {
 void check_names(const std::string& file, const CsvRow& header) {
   std::set<std::string> seen;
   for (const std::string& name : header.fields) {
-    if (!seen.insert(name).second) refuse(file, header.line, "the column '" + name + "' is there twice");
+    if (!seen.insert(name).second)
+      refuse(file, header.line, fmt::format("the column '{}' is there twice", name));
   }
 }
 

@@ -12,9 +12,9 @@
 namespace palpate::app {
 namespace {
 
-using analysis::Column;
 using analysis::Data;
 using analysis::Input;
+using analysis::InputColumn;
 using analysis::Output;
 using analysis::Statistic;
 using nlohmann::ordered_json;
@@ -59,7 +59,7 @@ std::string example_options(const Statistic& statistic) {
     if (item.value() == true) {
       options += " --" + item.key();
     } else {
-      options += " --" + item.key() + ' ' + option_text(item.value());
+      options += fmt::format(" --{} {}", item.key(), option_text(item.value()));
     }
   }
   return options;
@@ -103,7 +103,7 @@ std::string usual(const Input& input) {
 
 std::string data_in_words(const Data& data) {
   std::string text = "CSV file: " + data.meaning + (data.optional ? " (may be left out)" : "") + ".\n";
-  for (const Column& column : data.columns) {
+  for (const InputColumn& column : data.columns) {
     text += fmt::format("  {:<14} {}{}\n", column.name, column.meaning,
                         column.optional ? " (may be left out)" : "");
   }
@@ -117,7 +117,7 @@ std::string markdown_of(const Statistic& statistic) {
     text += fmt::format("Data: {}{}.\n\n", statistic.data.meaning,
                         statistic.data.optional ? " (may be left out)" : "");
     if (!statistic.data.columns.empty()) text += "| column | meaning |\n|---|---|\n";
-    for (const Column& column : statistic.data.columns) {
+    for (const InputColumn& column : statistic.data.columns) {
       text += fmt::format("| `{}` | {}{} |\n", column.name, column.meaning,
                           column.optional ? " (may be left out)" : "");
     }
@@ -147,7 +147,7 @@ ordered_json json_of(const Statistic& statistic) {
                       {"needed", usual(input) == "needed"},
                       {"meaning", input.meaning}});
   }
-  for (const Column& column : statistic.data.columns) {
+  for (const InputColumn& column : statistic.data.columns) {
     columns.push_back({{"name", column.name}, {"needed", !column.optional}, {"meaning", column.meaning}});
   }
   for (const Output& output : statistic.outputs) {

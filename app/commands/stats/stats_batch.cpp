@@ -30,12 +30,12 @@ std::string cell_text(const ordered_json& cell) {
 // {"level": [1, 2], "correct": [3, 4]} as a table.
 analysis::DataTable table_of(const ordered_json& data) {
   if (!data.is_object() || data.empty()) {
-    throw std::invalid_argument("data is " + data.dump().substr(0, 60) +
-                                "; accepted: an object with an array for each column");
+    throw std::invalid_argument(fmt::format("data is {}; accepted: an object with an array for each column",
+                                            data.dump().substr(0, 60)));
   }
   analysis::DataTable table{.source = "data"};
   for (const auto& item : data.items()) {
-    if (!item.value().is_array()) throw std::invalid_argument("data." + item.key() + " is no array");
+    if (!item.value().is_array()) throw std::invalid_argument(fmt::format("data.{} is no array", item.key()));
     std::vector<std::string> column;
     for (const ordered_json& cell : item.value()) column.push_back(cell_text(cell));
     if (!table.columns.empty() && column.size() != table.columns[0].size()) {

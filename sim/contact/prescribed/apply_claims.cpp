@@ -45,7 +45,7 @@ SolveReport apply_claims(const Model& model, const FreeState& free, PrescribedSc
     solve.add_forces(response.loads.on_body[i]);
     solve.add_displacement(response.displacement[i]);
     for (const int probe : model.bodies[i].probes) response.probe_forces[probe] += solve.probe_force(probe);
-    book_contact_forces(model, i, multipliers.subspan(static_cast<std::size_t>(solve.probe_rows())), scratch);
+    book_contact_forces(model, i, multipliers.subspan(solve.probe_rows()), scratch);
     report.residual =
         std::max(report.residual, residual(claims, free.motion[i].displacement, response.displacement[i]));
   }

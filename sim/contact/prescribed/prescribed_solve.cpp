@@ -14,7 +14,7 @@ using RowMap = Eigen::Map<const Eigen::VectorXd>;
 PrescribedSolve::PrescribedSolve(const Model& model, int body, int most_nodes)
     : model_(&model), body_(&model.bodies[body]), stride_(3 * most_nodes) {
   for (const int probe : body_->probes) stride_ += static_cast<int>(model.probes[probe].axes.cols());
-  const auto size = static_cast<std::size_t>(stride_);
+  const std::size_t size = stride_;
   rows_.reserve(size);
   wanted_.reserve(size);
   multipliers_.reserve(size);

@@ -193,7 +193,7 @@ TEST(Sentences, CallSimulatedAndPseudoHapticByTheirNames) {
     EXPECT_THAT(sentence, Not(HasSubstr("people like")));
   }
   StudyTable table = test::study_table(test::like_the_paper());
-  for (SessionRow& session : table.sessions) {
+  for (ReportedSession& session : table.sessions) {
     session.pseudo_haptic = true;
     session.channel = "the pointer's lag";
   }

@@ -24,7 +24,7 @@ double by_enumeration(std::vector<std::vector<long>> rows) {
     return total;
   };
   const long seen = squares();
-  for (auto& row : rows) std::sort(row.begin(), row.end());
+  for (auto& row : rows) std::ranges::sort(row);
   double as_large = 0, all = 0;
   for (bool more = true; more;) {
     all += 1;
@@ -59,8 +59,8 @@ RC_GTEST_PROP(ShuffledRows, AgreesWithGoingThroughAllOrders, ()) {
 RC_GTEST_PROP(ShuffledRows, OfTwoColumnsIsTheSignTest, ()) {
   const long first = *rc::gen::inRange(0L, 30L), second = *rc::gen::inRange(0L, 30L);
   RC_PRE(first + second > 0);
-  std::vector<std::vector<long>> rows(static_cast<std::size_t>(first), {1, 0});
-  rows.resize(static_cast<std::size_t>(first + second), {0, 1});
+  std::vector<std::vector<long>> rows(first, {1, 0});
+  rows.resize(first + second, {0, 1});
   RC_ASSERT(std::abs(*shuffled_rows_p(rows) - binomial_p(first, first + second, 0.5).two_sided) < 1e-12);
 }
 

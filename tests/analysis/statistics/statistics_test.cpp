@@ -86,13 +86,13 @@ TEST_P(EveryStatistic, IsDescribedForItsReaders) {
 
 INSTANTIATE_TEST_SUITE_P(Statistics, EveryStatistic, testing::ValuesIn(names()), [](const auto& parameter) {
   std::string name = parameter.param;
-  std::replace(name.begin(), name.end(), '-', '_');
+  std::ranges::replace(name, '-', '_');
   return name;
 });
 
 TEST(Statistics, AreListedByName) {
   const std::vector<std::string> all = names();
-  EXPECT_TRUE(std::is_sorted(all.begin(), all.end()));
+  EXPECT_TRUE(std::ranges::is_sorted(all));
   EXPECT_THAT(std::set(all.begin(), all.end()), SizeIs(all.size()));
 }
 

@@ -80,7 +80,7 @@ class PrimaryTestOfStudies {
 
   bool rejects(const std::vector<analysis::OrderStratum>& sittings) {
     for (const int look : looks_) {
-      const std::span<const analysis::OrderStratum> seen(sittings.data(), static_cast<std::size_t>(look));
+      const std::span<const analysis::OrderStratum> seen(sittings.data(), look);
       long correct = 0;
       for (const analysis::OrderStratum& sitting : seen) correct += sitting.correct;
       if (analysis::rejects(region(seen, look), correct)) return true;
@@ -148,7 +148,7 @@ std::vector<std::string> shipped() {
   for (const auto& entry : std::filesystem::directory_iterator(
            std::filesystem::path(palpate::test::source_folder()) / "protocols"))
     if (entry.path().extension() == ".toml") names.push_back(entry.path().stem());
-  std::sort(names.begin(), names.end());
+  std::ranges::sort(names);
   return names;
 }
 
@@ -180,7 +180,7 @@ TEST_P(ShippedProtocol, FindsATrueEffectAsOftenAsPlanned) {
 
 INSTANTIATE_TEST_SUITE_P(Protocols, ShippedProtocol, testing::ValuesIn(shipped()), [](const auto& name) {
   std::string words = name.param;
-  std::replace(words.begin(), words.end(), '-', '_');
+  std::ranges::replace(words, '-', '_');
   return words;
 });
 

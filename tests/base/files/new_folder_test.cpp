@@ -21,7 +21,7 @@ std::string read(const fs::path& file) {
 }
 
 std::size_t entries(const fs::path& folder) {
-  return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), {}));
+  return std::distance(fs::directory_iterator(folder), {});
 }
 
 class NewFolderTest : public testing::Test {

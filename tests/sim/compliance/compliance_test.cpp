@@ -100,10 +100,10 @@ TEST(Condense, GivesFewAndManyDrawnNodesTheSameRows) {
   Case c = block();
   const Compliance many = condensed(c);
   c.drawn = {c.drawn[0], c.drawn[2], c.touch[5]};
-  std::sort(c.drawn.begin(), c.drawn.end());
+  std::ranges::sort(c.drawn);
   const Compliance few = condensed(c);
   for (std::size_t k = 0; k < few.drawn.size(); ++k) {
-    const auto row = std::find(many.drawn.begin(), many.drawn.end(), few.drawn[k]) - many.drawn.begin();
+    const auto row = std::ranges::find(many.drawn, few.drawn[k]) - many.drawn.begin();
     const Eigen::MatrixXf a = few.drawn_touch.middleRows(static_cast<Eigen::Index>(3 * k), 3);
     EXPECT_LT((a - many.drawn_touch.middleRows(3 * row, 3)).norm(), 1e-6F * a.norm());
   }
@@ -161,7 +161,7 @@ TEST(Condense, DoesNotDependOnTheNumbersOfNodesAndElements) {
   std::vector<Eigen::Index> unknown;  // of each touch unknown of c, the one of the mixed body
   for (const int node : c.touch) {
     const auto& touch = mixed.touch;
-    const auto at = std::lower_bound(touch.begin(), touch.end(), new_number[node]);
+    const auto at = std::ranges::lower_bound(touch, new_number[node]);
     for (int axis = 0; axis < 3; ++axis) unknown.push_back(3 * (at - touch.begin()) + axis);
   }
   const Eigen::MatrixXd C = condensed(c).touch_touch, other = condensed(mixed).touch_touch;

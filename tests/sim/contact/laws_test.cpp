@@ -55,7 +55,7 @@ TEST(Kuroda, SharesTheOverlapInTheRatioOfTheResistances) {
     const PairShare& share = shares_of(simulation)[i];
     const double sum = share.polygon_force + share.node_force;
     const Vec3 u_temp = -pair.depth * pair.normal;
-    const auto node = static_cast<std::size_t>(pair.node);
+    const std::size_t node = pair.node;
     const Claims& claims = buffers.bodies[pair.node_body].claims;
     const double asked_of_node = share.polygon_force / sum * pair.depth;
     if (std::abs(std::sqrt(claims.squared[node]) - asked_of_node) > 1e-12 * pair.depth) continue;
@@ -86,7 +86,7 @@ TEST(Kuroda, OneContactIsClosedExactlyAndSharedByTheRatio) {
   const PrescribedScratch& buffers = prescribed(simulation);
   const CollidingPair& pair = buffers.pairs.front();
   const PairShare& share = shares_of(simulation).front();
-  const auto a = static_cast<std::size_t>(pair.node_body), b = static_cast<std::size_t>(pair.polygon_body);
+  const std::size_t a = pair.node_body, b = pair.polygon_body;
   const Vec3 u_a = (simulation.displacement(pair.node_body) - simulation.free_state().motion[a].displacement)
                        .segment<3>(3 * pair.node);
   for (const int corner : model.bodies[b].polygons.triangles[pair.polygon]) {

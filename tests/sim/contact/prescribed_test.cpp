@@ -30,7 +30,7 @@ TEST_P(PrescribedAgainstDense, GivesTheSameForcesWhateverSetCameBefore) {
   const Model model = test::compile_scene(test::write_two_boxes({.probe = GetParam()}));
   const std::vector<int>& may_touch = model.bodies[0].colliding_nodes;
   PrescribedSolve solve = contact_solve(model, 0);
-  std::vector<Vec3> values(static_cast<std::size_t>(model.bodies[0].rest.cols()));
+  std::vector<Vec3> values(model.bodies[0].rest.cols());
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = 1e-3 * Vec3::Random();
   ProbeRows rows(1);
   for (const auto& [pressing, picked] :

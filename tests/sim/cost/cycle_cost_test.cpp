@@ -18,13 +18,13 @@ using test::write_two_boxes;
 TEST(SpreadOf, IsTheSmallestTimeThatTheShareDoesNotExceed) {
   std::vector<double> times(1000);
   std::iota(times.rbegin(), times.rend(), 1.0);  // 1 to 1000, backwards
-  const Spread spread = spread_of(times);
+  const Percentiles spread = percentiles_of(times);
   EXPECT_EQ(spread.median, 500.0);
   EXPECT_EQ(spread.p99, 990.0);
   EXPECT_EQ(spread.p999, 999.0);
   EXPECT_EQ(spread.slowest, 1000.0);
-  EXPECT_EQ(spread_of({7.0}).median, 7.0);
-  EXPECT_THROW(spread_of({}), std::invalid_argument);
+  EXPECT_EQ(percentiles_of({7.0}).median, 7.0);
+  EXPECT_THROW(percentiles_of({}), std::invalid_argument);
 }
 
 TEST(FinalContactSet, WithoutContactIsTheProbesOwnColumns) {
@@ -46,7 +46,7 @@ TEST(FinalContactSet, WithContactHasThreeColumnsOfEachLoadedNode) {
   const std::vector<ProbeDisplacement> pose = displaced_by(model, 1e-3);
   ASSERT_GT(simulation.step(pose, kCyclePeriod).pairs.front().active, 0);
   const Probe& probe = model.probes.front();
-  auto numbers = static_cast<std::size_t>(probe.compliance.size());
+  std::size_t numbers = probe.compliance.size();
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const Eigen::VectorXd& loads = simulation.loads().on_body[b];
     for (Eigen::Index node = 0; node < loads.size() / 3; ++node) {
@@ -60,7 +60,7 @@ TEST(FinalContactSet, WithContactHasThreeColumnsOfEachLoadedNode) {
 
 TEST(MeasureCycle, TimesThePosesAtWhichBodiesTouch) {
   const Model model = compile_scene(write_two_boxes({.gap = 0.2e-3}));
-  const CostOptions options{.depth = 1e-3, .poses = 10, .most_cycles = 100};
+  const CycleSampling options{.depth = 1e-3, .poses = 10, .most_cycles = 100};
   const CycleCost cost = measure_cycle(model, contact_law("kuroda"), options);
   EXPECT_TRUE(cost.touching);
   EXPECT_GT(cost.active, 0);

@@ -1,10 +1,6 @@
-// The haptic cycle allocates nothing. Every way to the heap in this program ends in malloc, calloc, realloc
-// or aligned_alloc: they are counted here while a cycle runs. Sanitizers replace them themselves.
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-
 #include <gtest/gtest.h>
 
-#include <cstdlib>
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -12,69 +8,29 @@
 #include "sim/compile/compile.hpp"
 #include "sim/compliance/cache.hpp"
 #include "sim/cycle/press.hpp"
+#include "tests/support/heap_use.hpp"
 #include "tests/support/places.hpp"
-
-namespace {
-
-thread_local bool counting = false;
-thread_local long allocations = 0;
-thread_local std::size_t bytes = 0;
-
-void count(std::size_t size) {
-  if (!counting) return;
-  ++allocations;
-  bytes += size;
-}
-
-}  // namespace
-
-// glibc's own entries, which its manual allows a program to replace and which stay reachable by these names.
-extern "C" {
-void* __libc_malloc(std::size_t size);
-void* __libc_calloc(std::size_t count, std::size_t size);
-void* __libc_realloc(void* block, std::size_t size);
-void* __libc_memalign(std::size_t alignment, std::size_t size);
-
-void* malloc(std::size_t size) {
-  count(size);
-  return __libc_malloc(size);
-}
-void* calloc(std::size_t number, std::size_t size) {
-  count(number * size);
-  return __libc_calloc(number, size);
-}
-void* realloc(void* block, std::size_t size) {
-  count(size);
-  return __libc_realloc(block, size);
-}
-void* aligned_alloc(std::size_t alignment, std::size_t size) {
-  count(size);
-  return __libc_memalign(alignment, size);
-}
-int posix_memalign(void** block, std::size_t alignment, std::size_t size) {
-  count(size);
-  *block = __libc_memalign(alignment, size);
-  return *block == nullptr ? 12 : 0;  // ENOMEM
-}
-}
 
 namespace palpate::sim {
 namespace {
 
+using palpate::test::heap_use;
+using palpate::test::kHeapIsCounted;
+
+constexpr const char* kNotCounted = "sanitizers have a heap of their own";
+
 class Allocation : public testing::TestWithParam<const char*> {};
 
-}  // namespace
-
-TEST(AllocationCounter, SeesEveryWayToTheHeap) {
-  allocations = 0;
-  counting = true;
-  const std::vector<double> numbers(1000, 1.0);
-  const Eigen::VectorXd vector = Eigen::VectorXd::Constant(1000, numbers[7]);
-  counting = false;
-  EXPECT_EQ(allocations, 2) << vector[0];
+TEST(HeapUse, SeesEveryWayToTheHeap) {
+  if (!kHeapIsCounted) GTEST_SKIP() << kNotCounted;
+  const auto use = heap_use([] {
+    const std::vector<double> numbers(1000, 1.0);
+    const Eigen::VectorXd vector = Eigen::VectorXd::Constant(1000, numbers[7]);
+    EXPECT_EQ(vector[0], 1.0);
+  });
+  EXPECT_EQ(use.allocations, 2);
+  EXPECT_GE(use.bytes, 2 * 1000 * sizeof(double));
 }
-
-namespace {
 
 /// Heap that a simulation of the scene of Table 1 takes.
 std::size_t bytes_of_simulation(const std::vector<Override>& overrides) {
@@ -82,18 +38,13 @@ std::size_t bytes_of_simulation(const std::vector<Override>& overrides) {
   const auto file =
       std::filesystem::path(palpate::test::source_folder()) / "data/scenes/rectal-palpation.toml";
   const Model model = compile(load_scene(file, overrides), cache);
-  bytes = 0;
-  counting = true;
-  const Simulation simulation(model);
-  counting = false;
-  return bytes;
+  return heap_use([&] { const Simulation simulation(model); }).bytes;
 }
-
-}  // namespace
 
 // With `none` nothing is there for contact: no pairs, trees, claims or factors, just as where there is
 // nothing to touch.
 TEST(AllocationOfLaw, NoneTakesNothingForContact) {
+  if (!kHeapIsCounted) GTEST_SKIP() << kNotCounted;
   const std::size_t none = bytes_of_simulation({{"contact.model", "none"}});
   EXPECT_EQ(none, bytes_of_simulation({{"contact.model", "none"}, {"contact.touch", "[]"}}));
   EXPECT_EQ(none, bytes_of_simulation({{"contact.model", "kuroda"}, {"contact.touch", "[]"}}));
@@ -117,6 +68,7 @@ TEST(AllocationOfLaw, NoneTakesNothingForContact) {
 
 // Down to full depth and back up, contacts coming and going, from the very first cycle on.
 TEST_P(Allocation, NoneInTheCycle) {
+  if (!kHeapIsCounted) GTEST_SKIP() << kNotCounted;
   ComplianceCache cache("");
   const auto file =
       std::filesystem::path(palpate::test::source_folder()) / "data/scenes/rectal-palpation.toml";
@@ -126,20 +78,18 @@ TEST_P(Allocation, NoneInTheCycle) {
   for (int k = 100; k >= -10; --k) poses.push_back(displaced_by(model, 6e-3 * k / 100));
   Simulation simulation(model);
   int most = 0;
-  allocations = 0;
-  counting = true;
-  for (const std::vector<ProbeDisplacement>& pose : poses) {
-    const CycleResult result = simulation.step(pose, kCyclePeriod);
-    if (!result.pairs.empty()) most = std::max(most, result.pairs[0].active);
-  }
-  counting = false;
-  EXPECT_EQ(allocations, 0);
+  const auto use = heap_use([&] {
+    for (const std::vector<ProbeDisplacement>& pose : poses) {
+      const CycleResult result = simulation.step(pose, kCyclePeriod);
+      if (!result.pairs.empty()) most = std::max(most, result.pairs[0].active);
+    }
+  });
+  EXPECT_EQ(use.allocations, 0);
   if (std::string(GetParam()) != "none") EXPECT_GT(most, 10);
 }
 
 INSTANTIATE_TEST_SUITE_P(Laws, Allocation, testing::Values("none", "sibille", "kuroda"),
                          [](const auto& law) { return std::string(law.param); });
 
+}  // namespace
 }  // namespace palpate::sim
-
-#endif

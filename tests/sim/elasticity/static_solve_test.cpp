@@ -64,7 +64,7 @@ double tip_ratio(int cells) {
   for (const Tetrahedron& t : mesh.tetrahedra) {  // a third of each end triangle's load to each of its nodes
     std::vector<int> on_end;
     for (const int node : t)
-      if (std::binary_search(end.begin(), end.end(), node)) on_end.push_back(node);
+      if (std::ranges::binary_search(end, node)) on_end.push_back(node);
     if (on_end.size() == 3)
       for (const int node : on_end) f(2, node) += P / (6.0 * cells * cells);
   }

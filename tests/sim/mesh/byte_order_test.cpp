@@ -20,7 +20,7 @@ struct BinaryFile {
   BinaryFile& put(Number value) {
     std::array<char, sizeof(Number)> buffer{};
     std::memcpy(buffer.data(), &value, sizeof(Number));
-    if (swapped) std::reverse(buffer.begin(), buffer.end());
+    if (swapped) std::ranges::reverse(buffer);
     bytes.append(buffer.data(), buffer.size());
     return *this;
   }
@@ -72,7 +72,7 @@ std::string msh4(const TetMesh& mesh, bool swapped) {
     const std::size_t end = begin == 0 ? 5 : mesh.nodes.size();
     for (const int value : {3, 9, begin == 0 ? 0 : 1}) integer(value);
     size(end - begin);
-    for (std::size_t i = begin; i < end; ++i) size(static_cast<std::size_t>(mesh.node_tags[i]));
+    for (std::size_t i = begin; i < end; ++i) size(mesh.node_tags[i]);
     for (std::size_t i = begin; i < end; ++i) {
       for (const double x : mesh.nodes[i]) file.put(x);
       if (begin > 0) file.put(7.0).put(8.0).put(9.0);
@@ -86,7 +86,7 @@ std::string msh4(const TetMesh& mesh, bool swapped) {
   size(mesh.tetrahedra.size());
   for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
     size(t + 1);
-    for (const int node : mesh.tetrahedra[t]) size(static_cast<std::size_t>(mesh.node_tags[node]));
+    for (const int node : mesh.tetrahedra[t]) size(mesh.node_tags[node]);
   }
   return file.text("\n$EndElements\n").bytes;
 }

@@ -31,7 +31,7 @@ std::vector<std::string> two_boxes_files() {
     if (const std::string name = entry.path().filename();
         name.starts_with("two_boxes.") && (name.ends_with(".msh") || name.ends_with(".vtu")))
       names.push_back(name);
-  std::sort(names.begin(), names.end());
+  std::ranges::sort(names);
   return names;
 }
 

@@ -50,7 +50,7 @@ TEST(Mend, WeldsDuplicatesWithinTheTolerance) {
     EXPECT_EQ(mended.mesh.tetrahedra, whole.tetrahedra) << distance;
     EXPECT_EQ(mended.mesh.node_tags, whole.node_tags) << distance;
     std::vector<int> expected(whole.tetrahedra.back().begin(), whole.tetrahedra.back().end());
-    std::sort(expected.begin(), expected.end());
+    std::ranges::sort(expected);
     EXPECT_EQ(mended.mesh.node_groups.at("touch"), expected) << distance;
   }
 }

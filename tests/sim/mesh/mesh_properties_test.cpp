@@ -30,7 +30,7 @@ TetMesh permuted(const TetMesh& mesh, std::uint64_t seed) {
   TetMesh out = mesh;
   std::vector<int> place(mesh.nodes.size());
   for (std::size_t i = 0; i < node_at.size(); ++i) {
-    const auto from = static_cast<std::size_t>(node_at[i]);
+    const std::size_t from = node_at[i];
     out.nodes[i] = mesh.nodes[from];
     out.node_tags[i] = mesh.node_tags[from];
     place[from] = static_cast<int>(i);
@@ -48,7 +48,7 @@ std::set<std::array<std::int64_t, 3>> tagged_surface(const TetMesh& mesh) {
   for (const Triangle& triangle : extract_surface(mesh).triangles) {
     std::array<std::int64_t, 3> tags{};
     for (std::size_t i = 0; i < 3; ++i) tags[i] = mesh.node_tags[triangle[i]];
-    std::rotate(tags.begin(), std::min_element(tags.begin(), tags.end()), tags.end());
+    std::rotate(tags.begin(), std::ranges::min_element(tags), tags.end());
     triangles.insert(tags);
   }
   return triangles;

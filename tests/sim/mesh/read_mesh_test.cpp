@@ -70,7 +70,7 @@ TEST_P(TwoBoxes, ScalesWithTheUnit) {
 
 INSTANTIATE_TEST_SUITE_P(Encodings, TwoBoxes, testing::ValuesIn(two_boxes_files()), [](const auto& file) {
   std::string name = file.param;
-  std::replace(name.begin(), name.end(), '.', '_');
+  std::ranges::replace(name, '.', '_');
   return name;
 });
 
@@ -94,7 +94,7 @@ TEST_P(MshGroups, AreKeptInEveryDimension) {
 
 TEST_P(MshGroups, KeepNodeTags) {
   const TetMesh mesh = read_mesh(data_file(GetParam()), 1.0).mesh;
-  const auto at = std::find(mesh.node_tags.begin(), mesh.node_tags.end(), 11) - mesh.node_tags.begin();
+  const auto at = std::ranges::find(mesh.node_tags, 11) - mesh.node_tags.begin();
   EXPECT_EQ(mesh.nodes.at(at), Vec3(2, 1, 1));  // "11 2 1 1" in the file
 }
 

@@ -17,7 +17,7 @@ TEST(Surface, OfACubeIsClosedAndSeenFromOutside) {
   EXPECT_EQ(surface.triangles.size(), 6U * 2U * kN * kN);  // two a square
   EXPECT_EQ(surface.nodes.size(),
             std::size_t{(kN + 1) * (kN + 1) * (kN + 1) - (kN - 1) * (kN - 1) * (kN - 1)});
-  EXPECT_TRUE(std::is_sorted(surface.nodes.begin(), surface.nodes.end()));
+  EXPECT_TRUE(std::ranges::is_sorted(surface.nodes));
 
   std::map<std::pair<int, int>, int> sides;
   double area = 0.0;

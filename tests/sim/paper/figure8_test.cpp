@@ -51,7 +51,7 @@ TEST_P(Figure8, KurodaFeelsWhatLiesBehindTheWall) {
   const Press hard = pressed(GetParam(), kHard, "kuroda");
   int touching = 0;
   for (int k = 0; k < kSteps; ++k) {
-    const auto step = static_cast<std::size_t>(k);
+    const std::size_t step = k;
     const double none = force(absent.curve[step]);
     if (soft.curve[step].pairs[0].active == 0) {  // nothing is felt of what is not touched
       EXPECT_EQ(force(soft.curve[step]), none);

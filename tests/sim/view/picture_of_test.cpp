@@ -51,7 +51,7 @@ TEST(PictureOf, HeldNodeGoesWithTheProbeAndFixedNodesStay) {
   const double depth = 1e-3;
   const Picture picture = pressed(model, depth);
   const Probe& probe = model.probes.front();
-  const auto pressed_body = static_cast<std::size_t>(probe.body);
+  const std::size_t pressed_body = probe.body;
   const int held = model.bodies[pressed_body].compliance->touch[probe.nodes.front()];
   const Vec3 expected = probe.at + depth * probe.direction;
   // 1e-5 of the depth: pictures are made in single precision

@@ -58,11 +58,11 @@ TEST_F(Datasets, PassTheirOwnChecks) {
 TEST_F(Datasets, HoldEveryRowAndMarkItsRunMode) {
   export_psych_ds(study_, facts_, folder_ / "out");
   const std::string trials = test::read(folder_ / "out/data/study-kuroda2003_description-trials_data.csv");
-  EXPECT_EQ(std::count(trials.begin(), trials.end(), '\n'), 1 + 3 * 4);
+  EXPECT_EQ(std::ranges::count(trials, '\n'), 1 + 3 * 4);
   EXPECT_THAT(trials, HasSubstr("P-01,1,1,1,pilot,"));
   EXPECT_THAT(trials, HasSubstr("P-01,2,1,1,study,"));
   const std::string others = test::read(folder_ / "out/data/study-kuroda2003_description-exposures_data.csv");
-  EXPECT_EQ(std::count(others.begin(), others.end(), '\n'), 1 + 3);
+  EXPECT_EQ(std::ranges::count(others, '\n'), 1 + 3);
   EXPECT_THAT(test::read(folder_ / "out/dataset_description.json"), HasSubstr("3 study, 1 pilot"));
 }
 

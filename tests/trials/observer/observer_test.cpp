@@ -30,7 +30,7 @@ TEST(Observer, EveryPressGoesAnotherWay) {
     depths.insert(path.back().z());
     sum += path.back().z();
   }
-  EXPECT_EQ(depths.size(), static_cast<std::size_t>(kPresses));
+  EXPECT_EQ(depths.size(), kPresses);
   EXPECT_NEAR(sum / kPresses, 4e-3, 5 * std::hypot(2e-4, 5e-5) / std::sqrt(kPresses));
 }
 

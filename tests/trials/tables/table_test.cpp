@@ -71,7 +71,7 @@ TEST_F(TableTest, AreWrittenAsRfc4180) {
   EXPECT_NE(csv.find(",1,\"the \"\"alarm\"\" rang, loudly\"\n"), std::string::npos);
   EXPECT_NE(csv.find(",0,n/a\n"), std::string::npos);
   EXPECT_EQ(csv.find('\r'), std::string::npos);
-  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 5);
+  EXPECT_EQ(std::ranges::count(csv, '\n'), 5);
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ TEST(Adjust, AgreesWithBenjaminiAndHochbergsExample) {
   const std::vector<double> p = {0.0001, 0.0004, 0.0019, 0.0095, 0.0201, 0.0278, 0.0298, 0.0344,
                                  0.0459, 0.3240, 0.4262, 0.5719, 0.6528, 0.7590, 1.000};
   const auto rejected = [](const std::vector<double>& adjusted) {
-    return std::count_if(adjusted.begin(), adjusted.end(), [](double value) { return value <= 0.05; });
+    return std::ranges::count_if(adjusted, [](double value) { return value <= 0.05; });
   };
   EXPECT_EQ(rejected(benjamini_hochberg(p)), 4);
   EXPECT_EQ(rejected(hochberg(p)), 3);

@@ -17,7 +17,7 @@ namespace {
 std::vector<double> counted_by_hand(const std::vector<int>& answers, int correct_first) {
   std::vector<int> order(answers.size(), 2);
   std::fill_n(order.begin(), correct_first, 1);
-  std::sort(order.begin(), order.end());
+  std::ranges::sort(order);
   std::vector<double> count(answers.size() + 1, 0.0);
   double all = 0.0;
   do {
@@ -73,11 +73,11 @@ RC_GTEST_PROP(OrderRandomisation, AgreesWithEveryOrderCounted, ()) {
   const auto n = static_cast<int>(answers.size());
   const int correct_first = *rc::gen::inRange(0, n + 1);
   const auto expected = counted_by_hand(answers, correct_first);
-  const auto seen = static_cast<long>(
-      std::find_if(expected.begin(), expected.end(), [](double p) { return p > 0; }) - expected.begin());
+  const auto seen =
+      static_cast<long>(std::ranges::find_if(expected, [](double p) { return p > 0; }) - expected.begin());
   const std::vector<OrderStratum> one{{.trials = n,
                                        .correct_first = correct_first,
-                                       .answers_first = std::count(answers.begin(), answers.end(), 1),
+                                       .answers_first = std::ranges::count(answers, 1),
                                        .correct = seen}};
   const OrderRandomisationTest test = order_randomisation_test(one, 0.05, Side::TwoSided);
   for (std::size_t k = 0; k < expected.size(); ++k)
