@@ -1,0 +1,111 @@
+#include "app/commands/check/check_protocol.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <nlohmann/json.hpp>
+
+#include "analysis/words/words.hpp"
+#include "app/command_line/user_cache.hpp"
+#include "app/study/study_table.hpp"
+#include "trials/protocol/stimuli.hpp"
+
+namespace palpate::app {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+/// "37 or more correct of 60 in a cell"
+std::string region_in_words(const analysis::CriticalNumber& critical) {
+  std::string numbers;
+  if (critical.at_least) numbers += fmt::format("{} or more", *critical.at_least);
+  if (critical.at_least && critical.at_most) numbers += ", or ";
+  if (critical.at_most) numbers += fmt::format("{} or fewer", *critical.at_most);
+  if (numbers.empty())
+    return fmt::format("none: {} trials in a cell are too few to reject guessing", critical.trials);
+  return fmt::format("{} correct of {} in a cell", numbers, critical.trials);
+}
+
+void print_regions(const ProtocolCheck& check) {
+  const StudyPlan& regions = check.regions;
+  if (!regions.critical)
+    fmt::print("  critical value  depends on how often either interval is answered; it is in the report\n");
+  else if (regions.looks.empty())
+    fmt::print("  critical value  {} (size {:.4f})\n", region_in_words(*regions.critical),
+               regions.critical->size);
+  for (const analysis::PlannedLook& look : regions.looks)
+    fmt::print("  critical value  at {} examinees: {} (size by then {:.4f})\n",
+               look.critical.trials / check.protocol.trials_per_examinee_per_cell,
+               region_in_words(look.critical), look.size);
+}
+
+ordered_json critical_json(const analysis::CriticalNumber& critical, double size) {
+  ordered_json json = {{"trials", critical.trials}, {"size", size}};
+  if (critical.at_least) json["at_least"] = *critical.at_least;
+  if (critical.at_most) json["at_most"] = *critical.at_most;
+  return json;
+}
+
+}  // namespace
+
+ProtocolCheck check_protocol(const std::string& file) {
+  ProtocolCheck check{.protocol = trials::load_protocol(file)};
+  sim::ComplianceCache cache = user_cache();
+  trials::compile_stimuli(check.protocol, cache);
+  check.plan = trials::describe(check.protocol);
+  check.regions = planned_regions(check.protocol);
+  const double certain = check.protocol.analysis.side == trials::Side::Less ? 0.0 : 1.0;
+  const double half_way = 0.5 * (check.protocol.task->chance + certain);
+  check.power = analysis::primary_power(design_of(check.protocol), half_way);
+  return check;
+}
+
+void print_text(const ProtocolCheck& check) {
+  const trials::PlanSummary& plan = check.plan;
+  fmt::print("{}: a sound protocol\n\n", check.protocol.name);
+  fmt::print("  question        {}\n", check.protocol.question);
+  const trials::Task& task = *check.protocol.task;
+  fmt::print("  task            {}, {}\n", task.name, task.question_in_words(check.protocol));
+  fmt::print("  cells           {}\n", fmt::join(plan.cells, ", "));
+  fmt::print("  trials          {} an examinee, {} examinees planned: {} in each cell\n",
+             plan.trials_per_session, plan.planned_examinees, plan.trials_per_cell);
+  fmt::print("{}", analysis::wrapped(plan.order, "  order           ", "                  "));
+  fmt::print("  predictability  the best rule that feels nothing is right in {:.0f} % of trials\n",
+             100 * plan.best_guess);
+  fmt::print("  primary test    {}, {}, alpha {}\n", to_string(check.protocol.analysis.primary),
+             to_string(check.protocol.analysis.side), check.protocol.analysis.alpha);
+  print_regions(check);
+  fmt::print("  power           {:.4f} when {:.0f} % of answers are correct ({})\n", check.power.power,
+             100 * check.power.probability,
+             check.power.studies > 0 ? fmt::format("{} simulated studies", check.power.studies) : "exact");
+}
+
+ordered_json to_json(const ProtocolCheck& check) {
+  const StudyPlan& regions = check.regions;
+  ordered_json looks = ordered_json::array(), critical;  // null where it depends on the answers
+  for (const analysis::PlannedLook& look : regions.looks)
+    looks.push_back(critical_json(look.critical, look.size));
+  if (regions.critical)
+    critical = critical_json(*regions.critical,
+                             regions.looks.empty() ? regions.critical->size : regions.looks.back().size);
+  return {{"protocol", check.protocol.name},
+          {"sha256", check.protocol.sha256},
+          {"trials_per_examinee", check.plan.trials_per_session},
+          {"planned_examinees", check.plan.planned_examinees},
+          {"trials_per_cell", check.plan.trials_per_cell},
+          {"cells", check.plan.cells},
+          {"order", check.plan.order},
+          {"best_guess", check.plan.best_guess},
+          {"primary", to_string(check.protocol.analysis.primary)},
+          {"alpha", check.protocol.analysis.alpha},
+          {"side", to_string(check.protocol.analysis.side)},
+          {"critical", critical},
+          {"looks", looks},
+          {"power",
+           {{"probability", check.power.probability},
+            {"power", check.power.power},
+            {"simulated_studies", check.power.studies}}}};
+}
+
+}  // namespace palpate::app
