@@ -6,6 +6,9 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(palpate_flags INTERFACE -Wno-uninitialized -Wno-maybe-uninitialized -Wno-array-bounds
                          -Wno-stringop-overflow -Wno-stringop-overread -Wno-restrict)
 endif()
+if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+  target_compile_options(palpate_flags INTERFACE -Wno-sign-conversion)  # as GCC's -Wconversion has it
+endif()
 if(PALPATE_GROUPED)
   # In a group of several files, the file that a class's parts stand in is not the group's main one.
   target_compile_options(palpate_flags INTERFACE -Wno-subobject-linkage)

@@ -26,7 +26,7 @@ sim::Scene load_scene(const SceneOptions& options) {
     const auto equals = entry.find('=');
     if (equals == std::string::npos)
       throw std::invalid_argument(
-          fmt::format("--set {}: accepted: KEY=VALUE, e.g. contact.model=none", entry));
+          fmt::format("--set {}: accepted: KEY=VALUE, e.g. contact.model={}", entry, sim::kNoContact));
     overrides.push_back({entry.substr(0, equals), entry.substr(equals + 1)});
   }
   if (!options.model.empty()) overrides.push_back({"contact.model", options.model});
