@@ -26,8 +26,8 @@ void redraw(const trials::Protocol& protocol, trials::Trial& trial, trials::Gene
 int correct_answer(const trials::Protocol& protocol, const trials::Trial& trial);
 
 // decide.cpp
-int decide(std::span<const std::optional<double>> percepts, const trials::Observer& observer,
-           trials::Generator& generator);
+int decide(const trials::Protocol& protocol, std::span<const std::optional<double>> percepts,
+           const trials::Observer& observer, trials::Generator& generator);
 
 // words.cpp
 std::string question_in_words(const trials::Protocol& protocol);

@@ -109,6 +109,11 @@ void check_same_population(const std::vector<SessionRow>& sessions, const Simula
 }  // namespace
 
 void check_observer(const Protocol& protocol, const ObserverParameters& observer) {
+  if (!protocol.answer)
+    throw std::invalid_argument(fmt::format(
+        "{}: task.answer: is missing, and the conditions do not tell which of them feels stiffer, "
+        "which is all that a simulated examinee perceives; accepted: {}",
+        protocol.file.string(), base::accepted_words(kAnswerWords)));
   if (observer.depth.mean < protocol.exploration.min_depth)
     throw std::invalid_argument(
         fmt::format("observer {}: press.depth is {:g} mm, but the protocol wants presses of {:g} mm and more",
@@ -144,7 +149,7 @@ SimulatedTrial play(const Protocol& protocol, const Stimuli& stimuli, const Obse
     }
     percepts.push_back(perceive(trial.presentations.back().trace, observer, mind));
   }
-  trial.response = protocol.task->decide(percepts, observer, mind);
+  trial.response = protocol.task->decide(protocol, percepts, observer, mind);
   return trial;
 }
 

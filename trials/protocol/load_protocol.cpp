@@ -6,6 +6,7 @@
 
 #include "base/files/read_file.hpp"
 #include "base/files/sha256.hpp"
+#include "trials/protocol/felt.hpp"
 #include "trials/protocol/protocol.hpp"
 
 namespace palpate::trials {
@@ -96,6 +97,19 @@ void check_levels_differ(const Protocol& protocol, const std::vector<sim::Scene>
                   protocol.cells[a].name, protocol.cells[b].name, protocol.conditions[condition].name));
 }
 
+/// What the question asks for must be what makes the correct answer correct.
+void settle_answer(Protocol& protocol, const std::vector<sim::Scene>& scenes) {
+  const std::optional<Answer> told = answer_told_by(protocol, scenes);
+  if (protocol.answer && told && protocol.answer != told)
+    throw std::invalid_argument(fmt::format(
+        "{}: task.answer: found \"{}\", but the correct condition, \"{}\", is the {}; accepted: \"{}\", or "
+        "another correct condition",
+        protocol.file.string(), base::word_of(kAnswerWords, *protocol.answer),
+        protocol.conditions[protocol.correct].name, base::word_of(kAnswerWords, *told),
+        base::word_of(kAnswerWords, *told)));
+  if (!protocol.answer) protocol.answer = told;
+}
+
 FileHash hash_of(const Protocol& protocol, const std::string& name, const std::filesystem::path& file) {
   try {
     return {.name = name, .file = file, .sha256 = base::sha256_hex(base::read_file(file))};
@@ -115,6 +129,7 @@ Protocol load_protocol(const std::filesystem::path& file) {
   check_conditions_differ(protocol, scenes);
   check_levels_differ(protocol, scenes);
   check_depth(protocol, scenes);
+  settle_answer(protocol, scenes);
 
   protocol.scene_text = base::read_file(protocol.scene_file);
   protocol.files.push_back({"scene", protocol.scene_file, base::sha256_hex(protocol.scene_text)});

@@ -92,6 +92,9 @@ void read_task(TomlReader task, Protocol& protocol) {
   protocol.task = named(
       task, tasks(), {"2AFC", "yes/no", "same-different", "ABX", "oddity", "magnitude estimation", "rating"});
   protocol.task->read(task, protocol);
+  if (task.has("answer"))
+    protocol.answer =
+        word(task, "answer", kAnswerWords, Words{"roughest", "smoothest", "largest", "smallest"});
   task.refuse_unknown();
 }
 

@@ -56,6 +56,11 @@ inline constexpr base::EnumWords<DuringInterval, 3> kDuringIntervalWords{
      {DuringInterval::Probe, "probe"},
      {DuringInterval::Organs, "organs"}}};
 
+/// What is asked for: the interval that felt so beside the others.
+enum class Answer { Stiffest, Softest };
+inline constexpr base::EnumWords<Answer, 2> kAnswerWords{
+    {{Answer::Stiffest, "stiffest"}, {Answer::Softest, "softest"}}};
+
 /// In which order the cells of a sitting come.
 enum class CellOrder { Shuffled };
 inline constexpr base::EnumWords<CellOrder, 1> kCellOrderWords{{{CellOrder::Shuffled, "shuffled"}}};
@@ -110,6 +115,9 @@ struct Protocol {
   const Task* task = nullptr;
   std::vector<std::size_t> presented{};  // conditions that questions present, in the order of the file
   std::size_t correct = 0;               // the one of them that the correct answer points at
+  /// What the question asks for: as the file says, else as the conditions tell. Nothing where neither does: a
+  /// person can be asked, a simulated one would not know what to answer.
+  std::optional<Answer> answer{};
   const Procedure* procedure = nullptr;
   int trials_per_examinee_per_cell = 0;
   CellOrder cell_order = CellOrder::Shuffled;

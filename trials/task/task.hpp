@@ -47,9 +47,10 @@ struct Task {
   /// again. 0: nothing that is presented makes any answer correct (a damaged file).
   int (*correct_answer)(const Protocol& protocol, const Trial& trial);
 
-  /// What a simulated person answers to what each interval felt like (see perceive(); nothing: no force).
-  int (*decide)(std::span<const std::optional<double>> percepts, const Observer& observer,
-                Generator& generator);
+  /// What a simulated person answers to what each interval felt like (see perceive(); nothing: no force),
+  /// asked for Protocol::answer, which is known.
+  int (*decide)(const Protocol& protocol, std::span<const std::optional<double>> percepts,
+                const Observer& observer, Generator& generator);
 
   /// Sensitivity d' that this share of correct answers stands for, without bias. 0 < `correct` < `trials`.
   double (*d_prime)(long correct, long trials);

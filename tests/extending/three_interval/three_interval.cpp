@@ -54,15 +54,17 @@ void draw(const Protocol& protocol, std::span<Trial> trials, Generator& generato
   for (Trial& trial : trials) redraw(protocol, trial, generator);
 }
 
-// What a simulated person answers: the interval that felt stiffest.
+// What a simulated person answers: the interval that felt stiffest, or softest where that is asked for.
 
-int decide(std::span<const std::optional<double>> percepts, const trials::Observer& observer,
-           Generator& generator) {
+int decide(const Protocol& protocol, std::span<const std::optional<double>> percepts,
+           const trials::Observer& observer, Generator& generator) {
   const auto guess = static_cast<std::ptrdiff_t>(generator.below(3));
   const bool felt_all =
       std::ranges::all_of(percepts, [](const auto& percept) { return percept.has_value(); });
   if (!felt_all || generator.uniform() < observer.parameters->lapse_rate) return 1 + static_cast<int>(guess);
-  return 1 + static_cast<int>(std::ranges::max_element(percepts) - percepts.begin());
+  const auto [softest, stiffest] = std::ranges::minmax_element(percepts);
+  const auto chosen = protocol.answer == trials::Answer::Softest ? softest : stiffest;
+  return 1 + static_cast<int>(chosen - percepts.begin());
 }
 
 double d_prime(long correct, long trials) {

@@ -34,12 +34,15 @@ TEST(ThreeInterval, HoldsTheCorrectConditionOnceInAnyInterval) {
   for (const int count : held) EXPECT_NEAR(count, 100, 4 * 8.2);  // four standard deviations of a binomial
 }
 
-TEST(ThreeInterval, TheStiffestIntervalIsAnswered) {
+TEST(ThreeInterval, TheIntervalThatIsAskedForIsAnswered) {
   const trials::ObserverParameters never_lapses{};
   const trials::Observer observer{.parameters = &never_lapses};
   trials::Generator generator = trials::make_generator(1, "test");
   const std::array<std::optional<double>, 3> percepts{0.2, 0.7, -0.1};
-  EXPECT_EQ(kThreeInterval.decide(percepts, observer, generator), 2);
+  trials::Protocol protocol;
+  EXPECT_EQ(kThreeInterval.decide(protocol, percepts, observer, generator), 2);
+  protocol.answer = trials::Answer::Softest;
+  EXPECT_EQ(kThreeInterval.decide(protocol, percepts, observer, generator), 3);
 }
 
 TEST(ThreeInterval, IsPlayedStoredAndVerified) {

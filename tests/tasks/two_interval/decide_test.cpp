@@ -38,16 +38,26 @@ Trace spring(double stiffness) {
   return trace;
 }
 
-/// Share of trials in which the second of two springs is said to be the stiffer one.
-double share_second(const ObserverParameters& p, const Trace& first, const Trace& second) {
+/// Share of trials in which the second of two springs is said to be what is asked for.
+double share_second(const ObserverParameters& p, const Trace& first, const Trace& second,
+                    trials::Answer answer = trials::Answer::Stiffest) {
+  trials::Protocol protocol;
+  protocol.answer = answer;
   Generator generator = make_generator(1, "test");
   const Observer observer = draw_observer(p, generator);
   int chosen = 0;
   for (int i = 0; i < kTrials; ++i) {
     const auto a = perceive(first, observer, generator), b = perceive(second, observer, generator);
-    chosen += kTwoInterval.decide(std::array{a, b}, observer, generator) == 2 ? 1 : 0;
+    chosen += kTwoInterval.decide(protocol, std::array{a, b}, observer, generator) == 2 ? 1 : 0;
   }
   return static_cast<double>(chosen) / kTrials;
+}
+
+TEST(TwoIntervalDecision, AnswersWhatIsAsked) {
+  ObserverParameters p = plain_observer();
+  p.weber_fraction.mean = 0.01;
+  EXPECT_EQ(share_second(p, spring(100.0), spring(200.0), trials::Answer::Stiffest), 1.0);
+  EXPECT_EQ(share_second(p, spring(100.0), spring(200.0), trials::Answer::Softest), 0.0);
 }
 
 TEST(TwoIntervalDecision, TellsTheWeberFractionApartIn75PercentOfTheTrials) {
