@@ -33,7 +33,7 @@ IntervalEngine::IntervalEngine(const sim::Model& model, const IntervalLimits& li
       largest_force_(device.facts.gives_force ? device.facts.continuous_force : kLargestForce),
       simulation_(model),
       probes_(model.probes.size()),
-      probe_(devices::probe_at(model.probes.front().direction, kLifted)),
+      probe_(devices::probe_at(model.probes.front().direction, kLifted, model.probes.front().depth)),
       felt_(model, probes_, simulation_.loads()) {
   if (limits_.max_time > 0) trace_.reserve(cycles_of(limits_));
   state_.hand = state_.depth = kLifted;
@@ -105,8 +105,8 @@ void IntervalEngine::record() {
 /// Counts with the sample just recorded, by the rule by which the session judges the trace.
 void IntervalEngine::judge_progress() {
   if (!state_.begun) return;
-  presses_.add(static_cast<float>(probe_.depth));
-  if (force_on_finger_.squaredNorm() > 0) deepest_ = std::max(deepest_, probe_.depth);
+  presses_.add(static_cast<float>(probe_.hand));
+  deepest_ = std::max(deepest_, static_cast<double>(static_cast<float>(probe_.hand)));
   state_.presses = presses_.begun();
   state_.may_finish = presses_.begun() >= limits_.least_presses && deepest_ >= limits_.min_depth;
   if (limits_.max_time <= 0) return;

@@ -29,7 +29,7 @@ struct IntervalState {
   double force = 0.0;        // normal force as delivered [N]
   std::int32_t presses = 0;  // begun so far
   bool begun = false;        // the hand has been off the skin since the interval opened
-  bool may_finish = false;   // depth and presses reach what the protocol asks for
+  bool may_finish = false;   // the hand's depth and presses reach what the protocol asks for
   bool over = false;         // time or presses are used up
   Fault fault = Fault::None;
 };
@@ -42,8 +42,7 @@ struct IntervalLimits {
 
 /// One interval, cycle by cycle: a pure function of the cycles so far and the hand's newest place, so that a
 /// scripted path drives it without a clock. The hand moves the first probe. Allocates only when it is made.
-/// Nothing that it reports depends on anything but hand, depth and force: contact between organs is not
-/// looked at.
+/// Progress follows from the hand alone; of what is felt, only the pointer's place and the force tell.
 class IntervalEngine {
  public:
   /// @param device  how the probe comes after the hand, and how much force the hand can get
@@ -86,7 +85,7 @@ class IntervalEngine {
   devices::DrivenProbe probe_;
   ForceGuard guard_{};
   trials::PressCounter presses_{};
-  double deepest_ = 0.0;  // with force [m]
+  double deepest_ = 0.0;  // place of the hand [m]
   trials::Trace trace_;
   IntervalState state_{};
   CycleHandover felt_;

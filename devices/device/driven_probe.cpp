@@ -2,9 +2,10 @@
 
 namespace palpate::devices {
 
-DrivenProbe probe_at(const Vec3& direction, double depth) {
+DrivenProbe probe_at(const Vec3& direction, double depth, double deepest) {
   return {.direction = direction,
           .displacement = depth * direction,
+          .deepest = deepest,
           .hand = depth,
           .depth = depth,
           .previous_depth = depth};
@@ -17,6 +18,8 @@ void hold_probe(DrivenProbe& probe, const Vec3& target, double step) {
     probe.displacement = target;
   else
     probe.displacement += reach / length * way;
+  const double beyond = probe.displacement.dot(probe.direction) - probe.deepest;
+  if (beyond > 0.0) probe.displacement -= beyond * probe.direction;
   probe.hand = probe.depth = probe.displacement.dot(probe.direction);
 }
 

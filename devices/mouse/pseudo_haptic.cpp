@@ -29,6 +29,7 @@ void follow_hand(const PseudoHapticCoupling& coupling, DrivenProbe& probe, doubl
   probe.previous_depth = probe.depth;
   probe.previous_force = force;
   probe.depth += a * pull / (1 + a * (1 + stiffness / coupling.spring));
+  probe.depth = std::min(probe.depth, probe.deepest);
 }
 
 }  // namespace palpate::devices

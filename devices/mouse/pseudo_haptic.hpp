@@ -20,7 +20,7 @@ struct PseudoHapticCoupling {
 /// implicit in the tissue's stiffness, for which the larger of the secants to rest and to the last depth is
 /// taken: with K that stiffness an error shrinks by 1/(1 + (dt/tau)(1 + K/k_c)) a step, which is below 1 for
 /// every K >= 0, as long as the tissue is no stiffer ahead than K; where it stiffens at once (a second body is
-/// met), one step may go too far. `probe.displacement` is left alone.
+/// met), one step may go too far. No deeper than the scene's depth. `probe.displacement` is left alone.
 /// @param target  where the hand is [m]
 /// @param force   F at probe.depth, against the press [N]
 /// @param step    dt [s]

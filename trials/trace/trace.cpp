@@ -68,13 +68,15 @@ ExplorationSummary summarise(const Trace& trace) {
   PressCounter presses;
   for (const TraceSample& sample : trace) {
     const double force = magnitude(sample.force);
-    presses.add(sample.depth);
+    presses.add(sample.proposed_depth);
+    summary.hand_depth = std::max(summary.hand_depth, static_cast<double>(sample.proposed_depth));
     summary.peak_force = std::max(summary.peak_force, force);
     if (force > 0) summary.max_depth = std::max(summary.max_depth, static_cast<double>(sample.depth));
   }
   summary.presses = presses.begun();
   summary.peak_force = decimal(summary.peak_force);
   summary.max_depth = decimal(summary.max_depth);
+  summary.hand_depth = decimal(summary.hand_depth);
   if (!trace.empty()) summary.time = decimal(trace.back().time);
   return summary;
 }
@@ -82,7 +84,7 @@ ExplorationSummary summarise(const Trace& trace) {
 Verdict judge(const ExplorationSummary& summary, const Exploration& rule) {
   if (summary.presses < rule.least_presses) return Verdict::TooFewPresses;
   if (summary.presses > rule.most_presses) return Verdict::TooManyPresses;
-  if (summary.max_depth < rule.min_depth) return Verdict::TooShallow;
+  if (summary.hand_depth < rule.min_depth) return Verdict::TooShallow;
   return Verdict::Enough;
 }
 

@@ -42,11 +42,14 @@ struct IntervalRecord {
 
 /// What a trace says about how the body was explored.
 struct ExplorationSummary {
-  int presses = 0;          // times that the finger went in and out again, or was still in at the end
+  int presses = 0;          // times that the hand went in and out again, or was still in at the end
   double time = 0.0;        // from onset to the last sample [s]
   double peak_force = 0.0;  // largest |force| [N]
   double max_depth = 0.0;   // deepest sample in contact: depth > 0 and the finger felt a force [m]
+  double hand_depth = 0.0;  // deepest place of the hand [m]
 };
+/// Presses and depth are judged by the hand, which is the finger's place where a device pushes back. Where none
+/// does, stiffer tissue leaves the finger further behind, and judging by the finger would tell which it is.
 ExplorationSummary summarise(const Trace& trace);
 
 /// Counts presses while an interval runs, with the same rule as summarise(): one begins when the depth

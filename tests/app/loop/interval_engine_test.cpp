@@ -53,7 +53,7 @@ TEST(IntervalEngine, UnderSibilleSoftAndHardSendTheSameBytes) {
   EXPECT_EQ(soft.size(), 12U * 188U);
 }
 
-// Byte 1 tells whether the pointer has been deep enough: it follows from its place.
+// Byte 1 tells what follows from the hand: whether it has begun, been deep enough, used up its presses.
 TEST(IntervalEngine, UnderKurodaTheMessagesDifferInThePointersPlaceOnly) {
   const std::string soft = messages(palpation("kuroda", "1.0 MPa"));
   const std::string hard = messages(palpation("kuroda", "5.0 MPa"));

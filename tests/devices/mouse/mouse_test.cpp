@@ -26,7 +26,7 @@ TEST(Mouse, ADepthIsAWayAlongThePress) {
 
 // The arithmetic is the coupling's, bit for bit, and goes nowhere but along the press.
 TEST(Mouse, MovesTheProbeByTheCouplingAlongThePress) {
-  DrivenProbe moved = probe_at(Vec3::UnitZ(), -1e-3), along = moved;
+  DrivenProbe moved = probe_at(Vec3::UnitZ(), -1e-3, 1.0), along = moved;
   for (int i = 0; i < 500; ++i) {
     const double hand = 1e-5 * i, force = moved.depth > 0 ? 8e3 * moved.depth : 0.0;
     mouse().move(moved, hand * Vec3::UnitZ(), force, 1e-3);

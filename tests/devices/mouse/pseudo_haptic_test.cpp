@@ -92,6 +92,13 @@ TEST(PseudoHaptic, FreeHandIsFollowedWithTheStatedLag) {
   EXPECT_NEAR(probe.depth / -kHand, 1 - std::pow(1 + kTick / coupling.lag_time, -steps), 1e-12);
 }
 
+TEST(PseudoHaptic, TheProbeGoesNoDeeperThanTheSceneWhileTheHandGoesOn) {
+  DrivenProbe probe{.deepest = 5e-3};
+  for (int i = 0; i < 100; ++i) follow_hand({}, probe, 9e-3, 0.0, kTick);
+  EXPECT_EQ(probe.depth, 5e-3);
+  EXPECT_EQ(probe.hand, 9e-3);
+}
+
 TEST(PseudoHaptic, AHandThatJumpsIsFollowedNoFasterThanStated) {
   DrivenProbe probe;
   follow_hand({}, probe, 1.0, 0.0, kTick);

@@ -98,6 +98,7 @@ bool Sitting::shows_organs() const {
 
 void Sitting::show() {
   ++id_;
+  shown_phase_ = session_.phase();
   shown_ = Clock::now();
   if (connected_) outlets_.text(encode(message()));
 }
@@ -110,9 +111,9 @@ void Sitting::enter(Stage stage) {
   show();
 }
 
-void Sitting::schedule(Next next, std::chrono::milliseconds after) {
+void Sitting::schedule(Next next, Clock::time_point when) {
   next_ = next;
-  due_ = Clock::now() + after;
+  due_ = when;
 }
 
 // ---- The page comes and goes ----
@@ -178,15 +179,16 @@ void Sitting::begin_interval() {
 }
 
 void Sitting::end_interval() {
+  const Clock::time_point ended = Clock::now();  // before anything is stored, which takes its time
   const trials::Verdict verdict = session_.end_interval(release_record());
   notice_ = advice(verdict, protocol_.exploration);
-  schedule(Next::Outcome, kOutcomeAfter);
+  schedule(Next::Outcome, ended + kOutcomeAfter);
 }
 
 void Sitting::show_outcome() {
   if (!notice_.empty()) return enter(Stage::Again);
   enter(Stage::Trial);
-  if (session_.phase() == trials::Phase::Pause) schedule(Next::Interval, kPause);
+  if (session_.phase() == trials::Phase::Pause) schedule(Next::Interval, Clock::now() + kPause);
   if (session_.phase() == trials::Phase::Question) onset_utc_ = base::utc_now();
 }
 
@@ -218,7 +220,7 @@ void Sitting::poll(Clock::time_point now) {
 
 void Sitting::binary_from_page(std::string_view bytes) {
   const auto hand = parse_hand(bytes);
-  if (hand && hand->id == id_) loop_.set_hand(hand->depth);
+  if (hand && hand->id == id_ && is_pressing(stage_, shown_phase_)) loop_.set_hand(hand->depth);
 }
 
 void Sitting::text_from_page(std::string_view text) {
@@ -226,8 +228,11 @@ void Sitting::text_from_page(std::string_view text) {
   if (reply && reply->id == id_) receive(*reply);
 }
 
+/// Nothing is taken but what the page has been shown to ask for. Between an interval's end and what follows it,
+/// the session is already further than the page.
 void Sitting::receive(const Reply& reply) {
-  if (!takes(stage_, session_.phase(), reply.kind)) return;
+  if (!takes(stage_, shown_phase_, reply.kind)) return;
+  if (next_ == Next::Outcome && reply.kind != ReplyKind::Early) return;
   switch (reply.kind) {
     case ReplyKind::Continue:
       return go_on();
@@ -284,7 +289,7 @@ void Sitting::note_early_key(const Reply& reply) {
   const double after = std::chrono::duration<double>(Clock::now() - shown_).count();
   session_.note(trials::event_kind::kEarlyKey,
                 fmt::format("{} during {}, {:.3f} s after it was shown", reply.text,
-                            shown_name(stage_, session_.phase()), after));
+                            shown_name(stage_, shown_phase_), after));
 }
 
 void Sitting::tell_progress() {

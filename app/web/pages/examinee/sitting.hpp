@@ -60,7 +60,7 @@ class Sitting {
   void show();
   PhaseMessage message() const;
   bool shows_organs() const;
-  void schedule(Next next, std::chrono::milliseconds after);
+  void schedule(Next next, Clock::time_point when);
 
   void run_engine(const sim::Model& model, const IntervalLimits& limits);
   trials::LoopTiming release_engine();
@@ -85,6 +85,7 @@ class Sitting {
 
   Stage stage_ = Stage::Welcome;
   std::uint32_t id_ = 0;                    // of the showing
+  trials::Phase shown_phase_{};             // that it shows, in Stage::Trial
   std::uint32_t sequence_ = 0;              // of messages about the pointer
   std::unique_ptr<IntervalEngine> engine_;  // with the loop while there is one
   bool connected_ = false;

@@ -163,6 +163,27 @@ TEST_F(SittingTest, RepliesToAnotherShowingAreNotHeard) {
   EXPECT_TRUE(study_->answers(1).empty());
 }
 
+// The session has the question before the page has: a client that is not ours knows the interval's id.
+TEST_F(SittingTest, NoAnswerIsTakenBeforeItsQuestionIsShown) {
+  go_to_interval();
+  explore();
+  reply("finish");
+  wait_for("pause");
+  wait_for("interval");
+  explore();
+  reply("finish");
+  ASSERT_EQ(session_->phase(), trials::Phase::Question);
+  ASSERT_EQ(phase(), "interval");
+  reply("answer", {{"choice", 1}, {"ms", 5}});
+  reply("finish");
+  reply("continue");
+  EXPECT_TRUE(study_->answers(1).empty());
+  EXPECT_EQ(session_->phase(), trials::Phase::Question);
+  wait_for("question");
+  reply("answer", {{"choice", 1}, {"ms", 5}});
+  EXPECT_EQ(study_->answers(1).size(), 1U);
+}
+
 TEST_F(SittingTest, AnIntervalUnderWayWhenThePageClosesIsStoredAsCutOff) {
   go_to_interval();
   hold(-2, 100ms);
