@@ -37,6 +37,7 @@ IntervalEngine::IntervalEngine(const sim::Model& model, const IntervalLimits& li
       felt_(model, probes_, simulation_.loads()) {
   if (limits_.max_time > 0) trace_.reserve(cycles_of(limits_));
   state_.hand = state_.depth = kLifted;
+  state_.time_left = limits_.max_time;
 }
 
 double IntervalEngine::probe_force() {
@@ -108,7 +109,9 @@ void IntervalEngine::judge_progress() {
   presses_.add(static_cast<float>(probe_.hand));
   deepest_ = std::max(deepest_, static_cast<double>(static_cast<float>(probe_.hand)));
   state_.presses = presses_.begun();
-  state_.may_finish = presses_.begun() >= limits_.least_presses && deepest_ >= limits_.min_depth;
+  state_.deep_enough = deepest_ >= limits_.min_depth;
+  state_.may_finish = presses_.begun() >= limits_.least_presses && state_.deep_enough;
+  state_.time_left = std::max(0.0, limits_.max_time - state_.tick * kCycleSeconds);
   if (limits_.max_time <= 0) return;
   const bool presses_used = presses_.begun() >= limits_.most_presses && !presses_.pressing();
   const bool time_used = (state_.tick + 1) * kCycleSeconds >= limits_.max_time;

@@ -29,6 +29,8 @@ struct IntervalState {
   double force = 0.0;        // normal force as delivered [N]
   std::int32_t presses = 0;  // begun so far
   bool begun = false;        // the hand has been off the skin since the interval opened
+  bool deep_enough = false;  // the hand has been as deep as the protocol asks for
+  double time_left = 0.0;    // of the interval [s]; 0 without limit
   bool may_finish = false;   // the hand's depth and presses reach what the protocol asks for
   bool over = false;         // time or presses are used up
   Fault fault = Fault::None;

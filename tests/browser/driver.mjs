@@ -99,7 +99,8 @@ export class Traffic {
   }
 }
 
-const kSkin = 96, kPixelsPerMillimetre = 32;  // of the field; page/field.ts
+const kPixelsPerMillimetre = 32;  // of the field; pages/examinee/field.ts
+const kLockedSkin = 100;          // any place will do [CSS px]
 
 /** An examinee before one open page. */
 export class Examinee {
@@ -115,9 +116,13 @@ export class Examinee {
     await this.page.screenshot({ path: join(screenshots, `${name}.png`) });
   }
 
+  /** The hand's place. A mouse whose pointer the page has taken tells only how far it was moved. */
   async moveTo(millimetres, steps = 8) {
-    const box = await this.page.locator("#field").boundingBox();
-    await this.page.mouse.move(box.x + box.width / 2, box.y + kSkin + millimetres * kPixelsPerMillimetre, { steps });
+    const field = this.page.locator("#field");
+    const box = await field.boundingBox();
+    const locked = await this.page.evaluate(() => document.pointerLockElement !== null);
+    const skin = locked ? kLockedSkin : Number(await field.getAttribute("data-skin"));
+    await this.page.mouse.move(box.x + box.width / 2, box.y + skin + millimetres * kPixelsPerMillimetre, { steps });
   }
 
   /** Off the skin, in, a while, and out again. */

@@ -103,8 +103,8 @@ test("a whole session, with the program killed in the middle", async () => {
   // Trial 2: a press that is too shallow is shown again, calmly; the answer by a button.
   await page.keyboard.press("Space");
   await examinee.sees("interval");
-  await examinee.press(2);
-  await examinee.press(2);
+  await examinee.press(1);
+  await examinee.press(1);
   await examinee.sees("again");
   await examinee.picture("08-again");
   await page.keyboard.press("Space");

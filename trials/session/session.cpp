@@ -124,8 +124,8 @@ SessionView Session::view() const {
   SessionView view{.phase = state.phase};
   view.interval = done || state.phase == Phase::Question ? 0 : state.interval;
   view.intervals = state.protocol.task->intervals;
-  view.blocks = block_count(trials_per_session(state.protocol));
-  view.block = done ? view.blocks : state.pending.front().trial.block;
+  view.questions = trials_per_session(state.protocol);
+  view.number = done ? 0 : state.pending.front().trial.number;
   view.question = state.protocol.question;
   view.choices = state.protocol.task->choices;
   view.hint = state.protocol.task->hint;

@@ -26,8 +26,8 @@ struct SessionView {
   Phase phase = Phase::Ready;
   int interval = 0;   // that runs, or that comes next: 1, 2 (0 while the question is open or all is done)
   int intervals = 2;  // of a trial
-  int block = 0;      // from 1: what progress is shown by
-  int blocks = 0;
+  int number = 0;     // of the question, from 1; 0 when all is done
+  int questions = 0;  // of the sitting; where answers decide, at most
   std::string question{};
   std::span<const Choice> choices{};       // what can be answered: answer k is choices[k - 1]
   std::string_view hint{}, spoken_hint{};  // how to answer, to read and to hear

@@ -36,10 +36,15 @@ function show(next: Phase): void {
   showProgress(next);
   render(viewOf(next), next.notice);
   picture.hidden = !next.picture;
-  field.setActive(next.phase === "interval" || next.phase === "gesture");
-  if (next.phase !== "interval" && next.phase !== "gesture") field.place(-1e-3);
+  if (pressing(next)) field.begin();
+  else if (next.phase === "pause") field.rest();
+  else field.release();
   field.draw();
   if (next.phase === "question") startClock(next.id);
+}
+
+function pressing(shown: Phase): boolean {
+  return shown.phase === "interval" || shown.phase === "gesture";
 }
 
 /** The clock starts when the question has been painted; whatever was pressed before is not an answer. */
@@ -54,7 +59,7 @@ function startClock(id: number): void {
 function showApart(view: View): void {
   phase = null;
   document.body.dataset.phase = "apart";
-  field.setActive(false);
+  field.release();
   render(view, "");
 }
 
@@ -66,16 +71,11 @@ function showKind(next: Phase): void {
 }
 
 function showProgress(next: Phase): void {
-  const steps = element("progress-steps");
-  const within = next.block > 0 && next.phase !== "welcome" && next.phase !== "gesture";
-  element("progress").hidden = !within;
-  const finished = next.phase === "thanks" || next.phase === "end";
-  element("progress-text").textContent = finished ? "All parts done" : `Part ${next.block} of ${next.blocks}`;
-  steps.replaceChildren(...Array.from({ length: next.blocks }, (_, k) => {
-    const step = document.createElement("i");
-    step.className = finished || k + 1 < next.block ? "done" : k + 1 === next.block ? "now" : "";
-    return step;
-  }));
+  element("progress").hidden = next.phase === "welcome" || next.phase === "gesture";
+  const finished = next.number === 0;
+  element("progress-text").textContent =
+      finished ? "All questions answered" : `Question ${next.number} of ${next.questions}`;
+  element<HTMLProgressElement>("progress-bar").value = finished ? 1 : (next.number - 1) / next.questions;
 }
 
 function paragraph(text: string, kind = ""): HTMLElement {
@@ -165,12 +165,22 @@ function showBinary(message: ArrayBuffer): void {
   if (frame) showFrame(frame);
 }
 
+/** How far the interval is: all of it follows from the hand. */
+function progressOf(probe: Probe, shown: Phase): string {
+  if (probe.over) return "";
+  if (!probe.begun) return "Bring the pointer up to the line to begin.";
+  const [least, most] = shown.presses;
+  const asked = least === most ? `${most}` : `${least} to ${most}`;
+  const depth = probe.deepEnough ? "deep enough" : probe.presses > 0 ? "a little deeper, please" : "press down, and let go";
+  return `Presses: ${probe.presses} of ${asked}, ${depth}. ${probe.secondsLeft} s left.`;
+}
+
 function showProbe(probe: Probe): void {
-  if (phase?.phase !== "interval" && phase?.phase !== "gesture") return;
+  if (!phase || !pressing(phase)) return;
   field.place(probe.depth);
   if (phase.phase !== "interval") return;
-  element("hint").textContent = probe.over ? "" :
-      probe.begun ? "Press down, and let go again." : "Bring the pointer up to the line to begin.";
+  const told = progressOf(probe, phase);
+  if (element("hint").textContent !== told) element("hint").textContent = told;
   if (probe.mayFinish === mayFinish || replied) return;
   mayFinish = probe.mayFinish;
   const finish = document.querySelector<HTMLButtonElement>('button[data-does="finish"]');
@@ -218,7 +228,7 @@ function answerKey(event: KeyboardEvent, choice: number): void {
 }
 
 function everyFrame(): void {
-  if (phase && (phase.phase === "interval" || phase.phase === "gesture")) {
+  if (phase && pressing(phase)) {
     const depth = field.handDepth;
     if (depth !== null) link.sendBinary(encodeHand(phase.id, depth));
     field.draw();
@@ -226,5 +236,12 @@ function everyFrame(): void {
   requestAnimationFrame(everyFrame);
 }
 
+/** Without a pointer of the browser's no button can be clicked: a click with the hand off the skin is the button. */
+function clicked(event: MouseEvent): void {
+  const action = phase && field.locked && field.lifted ? viewOf(phase).actions[0] : undefined;
+  if (action) act(action, event.timeStamp);
+}
+
 window.addEventListener("keydown", keyDown);
+window.addEventListener("click", clicked);
 requestAnimationFrame(everyFrame);

@@ -48,8 +48,9 @@ std::string encode(const PhaseMessage& message) {
                                        {"phase", message.phase},
                                        {"interval", message.interval},
                                        {"intervals", message.intervals},
-                                       {"block", message.block},
-                                       {"blocks", message.blocks},
+                                       {"number", message.number},
+                                       {"questions", message.questions},
+                                       {"minutes", message.minutes},
                                        {"question", message.question},
                                        {"run_mode", message.run_mode},
                                        {"pseudo_haptic", message.pseudo_haptic},
@@ -65,7 +66,10 @@ std::string encode(const PhaseMessage& message) {
 std::string encode_probe(const IntervalState& state, std::uint32_t sequence) {
   std::string bytes(kBinarySize, '\0');
   bytes[0] = static_cast<char>(kProbe);
-  bytes[1] = static_cast<char>((state.begun ? 1 : 0) | (state.may_finish ? 2 : 0) | (state.over ? 4 : 0));
+  bytes[1] = static_cast<char>((state.begun ? 1 : 0) | (state.may_finish ? 2 : 0) | (state.over ? 4 : 0) |
+                               (state.deep_enough ? 8 : 0));
+  bytes[2] = static_cast<char>(std::min(state.presses, 255));
+  bytes[3] = static_cast<char>(static_cast<int>(std::clamp(std::ceil(state.time_left), 0.0, 255.0)));
   put(bytes, 4, sequence);
   put(bytes, 8, static_cast<std::int32_t>(std::lround(std::clamp(state.depth, -1.0, 1.0) * 1e6)));
   return bytes;

@@ -10,7 +10,7 @@
 #include "app/loop/interval_engine.hpp"
 #include "trials/task/task.hpp"
 
-// What page and server say to each other; page/messages.ts is the other half. While an interval runs, nothing
+// What page and server say to each other; messages.ts is the other half. While an interval runs, nothing
 // but fixed-size messages at a fixed rate goes to the page, and they hold nothing but the pointer's place and
 // what follows from it.
 
@@ -22,7 +22,8 @@ struct PhaseMessage {
   std::string_view phase{};  // "welcome", "gesture", "ready", "interval", "pause", "again", "question",
                              // "thanks", "end", "fault"
   int interval = 0, intervals = 2;
-  int block = 0, blocks = 0;
+  int number = 0, questions = 0;  // of the question, from 1; 0 when all are answered
+  int minutes = 0;                // that all questions take, about
   std::string question{};
   std::string_view run_mode{};
   bool pseudo_haptic = true;
@@ -34,7 +35,7 @@ struct PhaseMessage {
 };
 std::string encode(const PhaseMessage& message);
 
-/// Pointer and progress, 12 bytes; the depth in whole micrometres.
+/// Pointer and progress, 12 bytes; the depth in whole micrometres. But for the depth all follows from the hand.
 std::string encode_probe(const IntervalState& state, std::uint32_t sequence);
 
 /// A JPEG picture behind one byte that says so.

@@ -1,4 +1,4 @@
-// What page and server say to each other; app/web/messages.hpp is the other half.
+// What page and server say to each other; messages.hpp is the other half.
 
 export type PhaseName =
   | "welcome" | "gesture" | "ready" | "interval" | "pause" | "again" | "question" | "thanks" | "end" | "fault";
@@ -16,8 +16,9 @@ export interface Phase {
   phase: PhaseName;
   interval: number;
   intervals: number;
-  block: number;
-  blocks: number;
+  number: number;     // of the question, from 1; 0 when all are answered
+  questions: number;
+  minutes: number;    // that they take, about
   question: string;
   run_mode: "study" | "pilot" | "practice";
   pseudo_haptic: boolean;
@@ -33,7 +34,10 @@ export interface Probe {
   begun: boolean;
   mayFinish: boolean;
   over: boolean;
-  depth: number;  // [m]
+  deepEnough: boolean;
+  presses: number;      // begun so far
+  secondsLeft: number;  // at most 255
+  depth: number;        // of the pointer [m]
 }
 
 export type Reply =
@@ -62,6 +66,9 @@ export function decodeBinary(data: ArrayBuffer): { probe?: Probe; frame?: Blob }
         begun: (flags & 1) !== 0,
         mayFinish: (flags & 2) !== 0,
         over: (flags & 4) !== 0,
+        deepEnough: (flags & 8) !== 0,
+        presses: view.getUint8(2),
+        secondsLeft: view.getUint8(3),
         depth: view.getInt32(8, true) * 1e-6,
       },
     };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/clock/utc.hpp"
@@ -27,6 +28,14 @@ IntervalLimits limits_of(const trials::Exploration& rule) {
           .max_time = rule.max_time};
 }
 
+/// How long the questions take, as sittings go: the way into an interval, eight seconds or less within, and an
+/// answer [min].
+int minutes_of(const trials::Protocol& protocol) {
+  const double interval = std::min(protocol.exploration.max_time, 8.0) + 2.0;
+  const double question = protocol.task->intervals * interval + 5.0;
+  return static_cast<int>(std::ceil(trials::trials_per_session(protocol) * question / 60.0));
+}
+
 std::string times(int count) {
   return count == 1 ? "once" : fmt::format("{} times", count);
 }
@@ -39,7 +48,7 @@ std::string advice(trials::Verdict verdict, const trials::Exploration& rule) {
     case trials::Verdict::TooManyPresses:
       return fmt::format("In this interval you may press at most {}.", times(rule.most_presses));
     case trials::Verdict::TooShallow:
-      return "Please press a little deeper: move the mouse further down.";
+      return "Please press a little deeper.";
     case trials::Verdict::Enough:
     case trials::Verdict::Interrupted:
       return {};
@@ -58,7 +67,9 @@ Sitting::Sitting(trials::Session& session, const trials::Protocol& protocol, con
       frames_(frames),
       outlets_(std::move(outlets)) {
   if (session_.view().resumed)
-    notice_ = "Welcome back. Your earlier answers are saved, and we go on from there.";
+    notice_ = session_.answered() > 0
+                  ? "Welcome back. Your earlier answers are saved, and we go on from there."
+                  : "Welcome back.";
   if (complete()) stage_ = Stage::Thanks;
 }
 
@@ -78,8 +89,9 @@ PhaseMessage Sitting::message() const {
           .phase = shown_name(stage_, view.phase),
           .interval = view.interval,
           .intervals = view.intervals,
-          .block = view.block,
-          .blocks = view.blocks,
+          .number = view.number,
+          .questions = view.questions,
+          .minutes = minutes_of(protocol_),
           .question = view.question,
           .run_mode = trials::to_string(view.run_mode),
           .pseudo_haptic = view.pseudo_haptic,
@@ -278,6 +290,7 @@ void Sitting::answer(const Reply& reply) {
         fmt::format("the page measured {} s of {} s; the program's own is stored", measured, waited));
   session_.answer(reply.choice, plausible ? measured : waited, onset_utc_);
   tell_progress();
+  if (!complete()) notice_ = "Your answer is saved.";
   enter(complete() ? Stage::Thanks : Stage::Trial);
 }
 

@@ -21,9 +21,12 @@ export interface View {
 }
 
 const ordinals = ["", "first", "second", "third"];
+const counts = ["", "one", "two", "three"];
+const touch = window.matchMedia("(pointer: coarse)").matches;
+const hand = touch ? "your finger on the field" : "the mouse";
 
 function nextButton(label: string): Action {
-  return { label, key: "Space", primary: true, does: "continue" };
+  return { label, key: touch ? "" : "Space", primary: true, does: "continue" };
 }
 
 function times(presses: [number, number]): string {
@@ -40,12 +43,17 @@ function welcome(phase: Phase): View {
     paragraphs.push(
       "You will not feel a force. The pointer lags behind your hand where the tissue resists: " +
       "the more it resists, the further the pointer stays behind.");
+  paragraphs.push(phase.questions === 1 ? "There is one question." :
+    `There are ${phase.questions} questions; they take about ${phase.minutes} ${phase.minutes === 1 ? "minute" : "minutes"}.`);
   return {
     title: "Welcome",
     paragraphs,
     list: [
       "First you practise the movement.",
-      `Then you press on a tissue in ${phase.intervals === 2 ? "two intervals, one after the other" : "each interval"}.`,
+      phase.intervals === 1
+        ? "Then you press on a tissue for a short time."
+        : `Then you press on a tissue in ${counts[phase.intervals] ?? phase.intervals} intervals, one after the other: ` +
+          "short times in which you may press.",
       `After that you answer one question: “${phase.question}” If you are not sure, go with your impression.`,
     ],
     stage: false,
@@ -58,11 +66,11 @@ function gesture(): View {
   return {
     title: "Practise the movement",
     paragraphs: [
-      "Move the mouse down to press, and up to let go. The line is the skin; the round pointer is your finger.",
+      `Move ${hand} down to press, and up to let go. The line is the skin; the round pointer is your finger.`,
     ],
     hint: "Press as often as you like. Nothing is counted here.",
     stage: true,
-    spoken: "Practise the movement. Move the mouse down to press, and up to let go.",
+    spoken: `Practise the movement. Move ${hand} down to press, and up to let go.`,
     actions: [nextButton("I am ready")],
   };
 }
@@ -81,18 +89,18 @@ function ready(phase: Phase): View {
 
 function interval(phase: Phase): View {
   return {
-    title: `Interval ${phase.interval}`,
+    title: phase.intervals === 1 ? "Press now" : `Interval ${phase.interval}`,
     paragraphs: [],
     stage: true,
     spoken: `Interval ${phase.interval}. Press now.`,
-    actions: [{ label: "That is enough", key: "Space", primary: false, does: "finish" }],
+    actions: [{ label: "That is enough", key: touch ? "" : "Space", primary: false, does: "finish" }],
   };
 }
 
 function pause(phase: Phase): View {
   return {
     title: phase.interval > 1 ? `The ${ordinals[phase.interval] ?? "next"} interval follows` : "Here it comes",
-    paragraphs: ["Bring the pointer up to the line."],
+    paragraphs: ["One moment."],
     stage: true,
     spoken: "A short pause.",
     actions: [],

@@ -50,15 +50,16 @@ TEST(PhaseMessage, SaysWhatIsToBeShownAndNothingElse) {
   EXPECT_EQ(
       encode(PhaseMessage{.id = 3,
                           .phase = "question",
-                          .block = 1,
-                          .blocks = 2,
+                          .number = 3,
+                          .questions = 8,
+                          .minutes = 4,
                           .question = "Which?",
                           .run_mode = "pilot",
                           .presses = {1, 5},
                           .choices = choices,
                           .hint = "Press 1.",
                           .spoken_hint = "Press one."}),
-      R"({"type":"phase","id":3,"phase":"question","interval":0,"intervals":2,"block":1,"blocks":2,)"
+      R"({"type":"phase","id":3,"phase":"question","interval":0,"intervals":2,"number":3,"questions":8,"minutes":4,)"
       R"("question":"Which?","run_mode":"pilot","pseudo_haptic":true,"picture":false,"notice":"","presses":[1,5],)"
       R"("choices":[{"label":"The first","keys":["1","ArrowLeft"]}],"hint":"Press 1.","spoken_hint":"Press one."})");
 }
