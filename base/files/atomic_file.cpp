@@ -23,13 +23,13 @@ void write_all(int descriptor, std::string_view bytes, const std::filesystem::pa
 
 }  // namespace
 
-void write_atomically(const std::filesystem::path& file, std::string_view bytes) {
+void write_atomically(const std::filesystem::path& file, std::string_view bytes, ::mode_t mode) {
   std::string aside = file.string() + ".XXXXXX";
   const int descriptor = ::mkstemp(aside.data());
   if (descriptor < 0) throw_cannot(errno, "create a file in its folder", file);
   try {
     write_all(descriptor, bytes, file);
-    if (::fchmod(descriptor, 0644) != 0 || ::fsync(descriptor) != 0) throw_cannot(errno, "write", file);
+    if (::fchmod(descriptor, mode) != 0 || ::fsync(descriptor) != 0) throw_cannot(errno, "write", file);
     if (::rename(aside.c_str(), file.c_str()) != 0) throw_cannot(errno, "replace", file);
   } catch (...) {
     ::close(descriptor);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <sys/types.h>
+
 #include <filesystem>
 #include <string_view>
 
@@ -8,6 +10,7 @@ namespace palpate::base {
 /// Writes a file aside (same folder), flushes it to the disk, then renames it over `file`: a reader sees the
 /// old file or the whole new one. Throws std::system_error that names the file when the disk refuses; nothing
 /// is left behind.
-void write_atomically(const std::filesystem::path& file, std::string_view bytes);
+/// @param mode  who may read and write it
+void write_atomically(const std::filesystem::path& file, std::string_view bytes, ::mode_t mode = 0644);
 
 }  // namespace palpate::base

@@ -12,6 +12,7 @@
 #include "app/command_line/interrupt.hpp"
 #include "app/command_line/user_cache.hpp"
 #include "app/web/host/host.hpp"
+#include "app/web/host/kept_link.hpp"
 #include "base/machine/machine.hpp"
 #include "devices/devices.hpp"
 #include "sim/compile/compile.hpp"
@@ -71,7 +72,10 @@ void run_run(const RunOptions& options) {
   const trials::SessionFacts facts = facts_of(options, *device.device);
   trials::check_start(options.study, protocol, facts, options.new_session);
   const Organs organs = prepare_organs(protocol);
-  Host host({.port = options.port, .open_browser = !options.no_browser});
+  Host host({.port = options.port,
+             .open_browser = !options.no_browser,
+             .kept_link = kept_link_file(options.study),
+             .sitting = fmt::format("{} {}", facts.examinee, trials::to_string(facts.run_mode))});
 
   trials::StudyFile study = trials::open_study(options.study, protocol, PALPATE_VERSION);
   trials::Session session = trials::start_session(study, protocol, facts, options.new_session);

@@ -9,12 +9,16 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <memory>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "app/command_line/open_browser.hpp"
 #include "app/loop/haptic_loop.hpp"
+#include "app/web/host/kept_link.hpp"
 #include "app/web/pages/pages.hpp"
+#include "app/web/server/access.hpp"
 #include "app/web/server/frames.hpp"
 #include "app/web/server/server.hpp"
 
@@ -35,13 +39,10 @@ void say(const std::string& line) {
 }  // namespace
 
 struct Host::State {
-  explicit State(const HostOptions& wanted)
-      : options(wanted),
-        server(io, page("examinee"), wanted.port,
-               {[this] { with(&Sitting::page_opened); },
-                [this](std::string_view text) { with(&Sitting::text_from_page, text); },
-                [this](std::string_view bytes) { with(&Sitting::binary_from_page, bytes); },
-                [this] { with(&Sitting::page_closed); }}) {}
+  explicit State(const HostOptions& wanted) : options(wanted), server(serve()) {}
+
+  std::unique_ptr<Server> serve();
+  std::unique_ptr<Server> serve_at(std::uint16_t port, const std::string& token);
 
   template <typename Member, typename... Arguments>
   void with(Member member, Arguments... arguments) {
@@ -58,9 +59,30 @@ struct Host::State {
   asio::signal_set signals{io, SIGINT, SIGTERM, SIGHUP};
   asio::steady_timer poll_timer{io}, stop_timer{io};
   std::optional<std::chrono::steady_clock::time_point> alone_since;
-  Server server;
+  std::unique_ptr<Server> server;
   std::optional<Sitting> sitting;
 };
+
+std::unique_ptr<Server> Host::State::serve_at(std::uint16_t port, const std::string& token) {
+  return std::make_unique<Server>(
+      io, page("examinee"), port, token,
+      PageEvents{[this] { with(&Sitting::page_opened); },
+                 [this](std::string_view text) { with(&Sitting::text_from_page, text); },
+                 [this](std::string_view bytes) { with(&Sitting::binary_from_page, bytes); },
+                 [this] { with(&Sitting::page_closed); }});
+}
+
+/// Where the page of this sitting was before, so that one left open goes on; else anew.
+std::unique_ptr<Server> Host::State::serve() {
+  const auto kept = read_kept_link(options.kept_link);
+  if (kept && kept->sitting == options.sitting && (options.port == 0 || options.port == kept->port)) {
+    try {
+      return serve_at(kept->port, kept->token);
+    } catch (const std::runtime_error&) {  // another program has the port by now
+    }
+  }
+  return serve_at(options.port, draw_token());
+}
 
 void Host::State::poll_at(std::chrono::steady_clock::time_point when) {
   poll_timer.expires_at(when);
@@ -74,7 +96,7 @@ void Host::State::poll_at(std::chrono::steady_clock::time_point when) {
 
 /// All is answered and nobody is there to say how: the last page was closed.
 void Host::State::stop_if_alone(std::chrono::steady_clock::time_point now) {
-  if (!sitting->complete() || server.connected()) return alone_since.reset();
+  if (!sitting->complete() || server->connected()) return alone_since.reset();
   if (!alone_since) alone_since = now;
   if (now - *alone_since > kPageMayReturn) io.stop();
 }
@@ -90,11 +112,11 @@ void Host::State::announce(const HapticLoop& loop) {
   say(loop.real_time() ? "Haptic loop: 1 kHz, real-time scheduling (SCHED_FIFO)."
                        : "Haptic loop: 1 kHz, ordinary scheduling (SCHED_FIFO is not permitted here).");
   if (!loop.device().notice.empty()) say(std::string(loop.device().notice));
-  std::printf("%s\n", server.link().c_str());
+  std::printf("%s\n", server->link().c_str());
   std::fflush(stdout);
   if (!options.open_browser)
     say("Open this link in a browser on this machine. Ctrl-C pauses the session.");
-  else if (open_browser(server.link()))
+  else if (open_browser(server->link()))
     say("The link opens in the browser; if it does not, open it by hand. Ctrl-C pauses the session.");
   else
     say("No browser could be started: open this link in one on this machine. Ctrl-C pauses the session.");
@@ -108,16 +130,16 @@ HostEnd Host::lead(trials::Session& session, const trials::Protocol& protocol, c
   State& state = *state_;
   HapticLoop loop(std::move(device));
   FrameStream frames([&state](const std::string& jpeg) {
-    asio::post(state.io, [&state, bytes = encode_frame(jpeg)] { state.server.send_binary(bytes); });
+    asio::post(state.io, [&state, bytes = encode_frame(jpeg)] { state.server->send_binary(bytes); });
   });
   state.sitting.emplace(
       session, protocol, organs, loop, &frames,
-      Outlets{.text = [&](std::string message) { state.server.send_text(std::move(message)); },
-              .binary = [&](std::string message) { state.server.send_binary(std::move(message)); },
+      Outlets{.text = [&](std::string message) { state.server->send_text(std::move(message)); },
+              .binary = [&](std::string message) { state.server->send_binary(std::move(message)); },
               .technician = say,
               .finished =
                   [&] {
-                    state.server.finish();
+                    state.server->finish();
                     state.stop_after(kLastWord);
                   }});
   bool interrupted = false;
@@ -126,6 +148,8 @@ HostEnd Host::lead(trials::Session& session, const trials::Protocol& protocol, c
     interrupted = true;
     state.io.stop();
   });
+  keep_link(state.options.kept_link,
+            {.sitting = state.options.sitting, .port = state.server->port(), .token = state.server->token()});
   state.announce(loop);
   state.poll_at(std::chrono::steady_clock::now());
   try {
@@ -139,6 +163,7 @@ HostEnd Host::lead(trials::Session& session, const trials::Protocol& protocol, c
     say(fmt::format("There were no pictures of the organs: {}", failure));
   const bool complete = state.sitting->complete();
   state.sitting.reset();
+  if (std::error_code ignored; complete) std::filesystem::remove(state.options.kept_link, ignored);
   return complete ? HostEnd::Complete : HostEnd::Stopped;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
+#include <string>
 
 #include "app/web/pages/examinee/sitting.hpp"
 #include "trials/session/session.hpp"
@@ -10,6 +12,9 @@ namespace palpate::app {
 struct HostOptions {
   std::uint16_t port = 0;  // 0: the operating system chooses
   bool open_browser = true;
+  /// Where the page's link is kept while its sitting is unfinished, and whose that is.
+  std::filesystem::path kept_link{};
+  std::string sitting{};
 };
 
 enum class HostEnd { Complete, Stopped };

@@ -33,6 +33,10 @@ std::string draw_token() {
   return token;
 }
 
+bool is_token(std::string_view text) {
+  return text.size() == 48 && text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
+
 Access check_access(const Claim& claim, std::string_view token, std::uint16_t port) {
   const std::string host = fmt::format("127.0.0.1:{}", port);
   if (claim.host != host) return Access::WrongHost;

@@ -10,6 +10,9 @@ namespace palpate::app {
 /// Throws std::runtime_error when the system has no randomness to give.
 std::string draw_token();
 
+/// Whether draw_token() could have drawn it.
+bool is_token(std::string_view text);
+
 /// What a request claims about where it comes from.
 struct Claim {
   std::string_view host{};    // Host header

@@ -16,8 +16,8 @@ namespace asio = boost::asio;
 using asio::ip::tcp;
 
 struct Server::State : std::enable_shared_from_this<Server::State> {
-  State(asio::io_context& io, const Page& served, PageEvents handlers)
-      : acceptor(io), page(served), events(std::move(handlers)) {}
+  State(asio::io_context& io, const Page& served, std::string of_link, PageEvents handlers)
+      : acceptor(io), page(served), events(std::move(handlers)), token(std::move(of_link)) {}
 
   void listen(std::uint16_t wanted);
   void accept();
@@ -27,7 +27,7 @@ struct Server::State : std::enable_shared_from_this<Server::State> {
   tcp::acceptor acceptor;
   const Page& page;
   PageEvents events;
-  std::string token = draw_token();
+  std::string token;
   std::uint16_t port = 0;
   std::shared_ptr<PageSocket> open;  // the one that counts
 };
@@ -92,8 +92,9 @@ void Server::State::take(const std::shared_ptr<PageSocket>& opened) {
   events.opened();
 }
 
-Server::Server(asio::io_context& context, const Page& page, std::uint16_t port, PageEvents events)
-    : state_(std::make_shared<State>(context, page, std::move(events))) {
+Server::Server(asio::io_context& context, const Page& page, std::uint16_t port, std::string token,
+               PageEvents events)
+    : state_(std::make_shared<State>(context, page, std::move(token), std::move(events))) {
   state_->listen(port);
   state_->accept();
 }
@@ -105,6 +106,14 @@ Server::~Server() {
 
 std::string Server::link() const {
   return fmt::format("http://127.0.0.1:{}/{}/", state_->port, state_->token);
+}
+
+std::uint16_t Server::port() const {
+  return state_->port;
+}
+
+const std::string& Server::token() const {
+  return state_->token;
 }
 
 bool Server::connected() const {

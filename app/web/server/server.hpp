@@ -27,14 +27,18 @@ struct PageEvents {
 class Server {
  public:
   /// @param page  must outlive the server
-  /// @param port  0: the operating system chooses
+  /// @param port   0: the operating system chooses
+  /// @param token  of the link, see draw_token()
   /// Throws std::runtime_error that names the port when it cannot be had.
-  Server(boost::asio::io_context& context, const Page& page, std::uint16_t port, PageEvents events);
+  Server(boost::asio::io_context& context, const Page& page, std::uint16_t port, std::string token,
+         PageEvents events);
   ~Server();
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
 
   std::string link() const;  // http://127.0.0.1:PORT/TOKEN/
+  std::uint16_t port() const;
+  const std::string& token() const;
   bool connected() const;
 
   void send_text(std::string message);

@@ -172,7 +172,7 @@ function progressOf(probe: Probe, shown: Phase): string {
   const [least, most] = shown.presses;
   const asked = least === most ? `${most}` : `${least} to ${most}`;
   const depth = probe.deepEnough ? "deep enough" : probe.presses > 0 ? "a little deeper, please" : "press down, and let go";
-  return `Presses: ${probe.presses} of ${asked}, ${depth}. ${probe.secondsLeft} s left.`;
+  return `Presses so far: ${probe.presses} (${asked} ${asked === "1" ? "is" : "are"} asked for), ${depth}. ${probe.secondsLeft} s left.`;
 }
 
 function showProbe(probe: Probe): void {

@@ -12,6 +12,8 @@
 #include <string>
 #include <thread>
 
+#include "app/web/server/access.hpp"
+
 namespace palpate::app {
 namespace {
 
@@ -52,7 +54,7 @@ class ServerTest : public testing::Test {
   }
 
   asio::io_context io_;
-  Server server_{io_, kPage, 0, {}};
+  Server server_{io_, kPage, 0, draw_token(), {}};
   std::thread thread_;
 };
 
