@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace palpate::trials {
 
 constexpr std::size_t kMostCells = 1000;  // more is a slip of the keyboard
@@ -40,6 +43,12 @@ Stimulus make_stimulus(const Protocol& protocol, std::size_t cell, std::size_t c
 
 int trials_per_session(const Protocol& protocol) {
   return static_cast<int>(protocol.cells.size()) * protocol.trials_per_examinee_per_cell;
+}
+
+int minutes_of(const Protocol& protocol) {
+  const double interval = std::min(protocol.exploration.max_time, 8.0) + 2.0;
+  const double question = protocol.task->intervals * interval + 5.0;
+  return static_cast<int>(std::ceil(trials_per_session(protocol) * question / 60.0));
 }
 
 std::size_t stimulus_index(const Protocol& protocol, std::size_t cell, std::size_t condition) {

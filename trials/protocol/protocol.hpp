@@ -134,6 +134,10 @@ struct Protocol {
 /// Trials in one sitting: cells times trials per cell.
 int trials_per_session(const Protocol& protocol);
 
+/// About how long the questions take an examinee: the way into an interval, eight seconds or less within, and
+/// an answer [min].
+int minutes_of(const Protocol& protocol);
+
 /// Index into Protocol::stimuli.
 std::size_t stimulus_index(const Protocol& protocol, std::size_t cell, std::size_t condition);
 

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "analysis/words/words.hpp"
 #include "app/command_line/user_cache.hpp"
+#include "app/commands/check/body_warnings.hpp"
 #include "app/study/study_table.hpp"
 #include "trials/protocol/stimuli.hpp"
 
@@ -47,12 +49,27 @@ ordered_json critical_json(const analysis::CriticalNumber& critical, double size
   return json;
 }
 
+/// Of every scene that is presented, each warning once.
+void add_body_warnings(const trials::Stimuli& stimuli, std::vector<std::string>& warnings) {
+  for (const auto& model : stimuli) {
+    if (!model) continue;
+    for (const sim::Body& body : model->bodies)
+      for (const std::string& warning : body_warnings(*model, body)) {
+        const std::string told = fmt::format("{}: {}", body.name, warning);
+        if (std::ranges::find(warnings, told) == warnings.end()) warnings.push_back(told);
+      }
+  }
+}
+
 }  // namespace
 
 ProtocolCheck check_protocol(const std::string& file) {
   ProtocolCheck check{.protocol = trials::load_protocol(file)};
   sim::ComplianceCache cache = user_cache();
-  trials::compile_stimuli(check.protocol, cache);
+  const trials::Stimuli stimuli = trials::compile_stimuli(check.protocol, cache);
+  check.stimuli = check_stimuli(check.protocol, stimuli);
+  check.warnings = stimulus_warnings(check.protocol, check.stimuli);
+  add_body_warnings(stimuli, check.warnings);
   check.plan = trials::describe(check.protocol);
   check.regions = planned_regions(check.protocol);
   const double certain = check.protocol.analysis.side == trials::Side::Less ? 0.0 : 1.0;
@@ -79,6 +96,10 @@ void print_text(const ProtocolCheck& check) {
   fmt::print("  power           {:.4f} when {:.0f} % of answers are correct ({})\n", check.power.power,
              100 * check.power.probability,
              check.power.studies > 0 ? fmt::format("{} simulated studies", check.power.studies) : "exact");
+  fmt::print("  duration        about {} minutes an examinee\n", trials::minutes_of(check.protocol));
+  print_text(check.protocol, check.stimuli);
+  for (const std::string& warning : check.warnings)
+    fmt::print("{}", analysis::wrapped(warning, "warning: ", "         "));
 }
 
 ordered_json to_json(const ProtocolCheck& check) {
@@ -105,7 +126,10 @@ ordered_json to_json(const ProtocolCheck& check) {
           {"power",
            {{"probability", check.power.probability},
             {"power", check.power.power},
-            {"simulated_studies", check.power.studies}}}};
+            {"simulated_studies", check.power.studies}}},
+          {"minutes", trials::minutes_of(check.protocol)},
+          {"stimuli", to_json(check.stimuli)},
+          {"warnings", check.warnings}};
 }
 
 }  // namespace palpate::app

@@ -6,18 +6,14 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
-#include "analysis/words/words.hpp"
 #include "app/command_line/user_cache.hpp"
+#include "app/commands/check/body_warnings.hpp"
 #include "sim/compile/compile.hpp"
 #include "sim/cycle/press.hpp"
 #include "sim/effects/effects.hpp"
-#include "sim/model/probe_kind.hpp"
 
 namespace palpate::app {
 namespace {
-
-constexpr double kLocking = 0.45;     // Poisson's ratio from which on locking shows
-constexpr std::size_t kPadNodes = 3;  // fewer are no area
 
 /// Median time of a cycle at full depth [microseconds], over cycles enough for a stable median.
 double median_cycle_us(const sim::Model& model) {
@@ -34,34 +30,6 @@ double median_cycle_us(const sim::Model& model) {
   return times[1000];
 }
 
-/// What can be computed and will mislead.
-void add_warnings(const sim::Model& model, std::vector<BodyCheck>& checks) {
-  for (std::size_t i = 0; i < checks.size(); ++i) {
-    sim::MeshQuality& quality = checks[i].quality;
-    for (const sim::Material& material : model.bodies[i].materials)
-      if (material.poisson_ratio >= kLocking) {
-        quality.warnings.push_back(fmt::format(
-            "poisson_ratio {}: linear tetrahedra lock as it nears 0.5, and forces come out too large; this "
-            "version has no treatment of near-incompressibility",
-            material.poisson_ratio));
-        break;
-      }
-    const double size = (quality.upper - quality.lower).norm();
-    for (const int probe : model.bodies[i].probes) {
-      const sim::Probe& finger = model.probes[probe];
-      if (finger.depth > size)
-        quality.warnings.push_back(fmt::format("probes.{} presses {:g} mm deep into a body {:g} mm across",
-                                               finger.name, 1e3 * finger.depth, 1e3 * size));
-      if (finger.kind->keys.takes_radius && finger.nodes.size() < kPadNodes)
-        quality.warnings.push_back(fmt::format(
-            "probes.{}: its radius reaches no more than {} of the mesh, so that the {} acts as a "
-            "point; accepted without warning: a radius of two edges or more",
-            finger.name, analysis::counted(static_cast<long>(finger.nodes.size()), "node", "nodes"),
-            finger.kind->keys.name));
-    }
-  }
-}
-
 }  // namespace
 
 SceneCheck check_scene(const SceneOptions& input) {
@@ -73,7 +41,9 @@ SceneCheck check_scene(const SceneOptions& input) {
   for (const sim::Body& body : model.bodies)
     check.bodies.push_back(
         {body.name, sim::measure_quality(*body.mesh), body.fixed.size(), body.colliding_nodes.size()});
-  add_warnings(model, check.bodies);
+  for (std::size_t i = 0; i < model.bodies.size(); ++i)
+    for (std::string& warning : body_warnings(model, model.bodies[i]))
+      check.bodies[i].quality.warnings.push_back(std::move(warning));
   const double whole = median_cycle_us(model);
   sim::Model bare = model;
   for (const sim::Effect* effect : sim::effects()) {

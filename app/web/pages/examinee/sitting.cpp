@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "base/clock/utc.hpp"
@@ -26,14 +25,6 @@ IntervalLimits limits_of(const trials::Exploration& rule) {
           .most_presses = rule.most_presses,
           .min_depth = rule.min_depth,
           .max_time = rule.max_time};
-}
-
-/// How long the questions take, as sittings go: the way into an interval, eight seconds or less within, and an
-/// answer [min].
-int minutes_of(const trials::Protocol& protocol) {
-  const double interval = std::min(protocol.exploration.max_time, 8.0) + 2.0;
-  const double question = protocol.task->intervals * interval + 5.0;
-  return static_cast<int>(std::ceil(trials::trials_per_session(protocol) * question / 60.0));
 }
 
 std::string times(int count) {
@@ -91,7 +82,7 @@ PhaseMessage Sitting::message() const {
           .intervals = view.intervals,
           .number = view.number,
           .questions = view.questions,
-          .minutes = minutes_of(protocol_),
+          .minutes = trials::minutes_of(protocol_),
           .question = view.question,
           .run_mode = trials::to_string(view.run_mode),
           .pseudo_haptic = view.pseudo_haptic,
