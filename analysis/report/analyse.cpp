@@ -8,6 +8,7 @@
 #include "analysis/report/sample.hpp"
 #include "analysis/report/select.hpp"
 #include "analysis/report/sentences.hpp"
+#include "analysis/report/withhold.hpp"
 
 namespace palpate::analysis {
 namespace {
@@ -279,6 +280,7 @@ StudyReport analyse(const StudyTable& table, const ReportOptions& options) {
   compute(selection, report);
   take_looks(table, report);
   report.stimuli = summarise_stimuli(table.design, selection);
+  if (report.withheld) withhold_results(report);
   write_sentences(table.notes, report);
   return report;
 }

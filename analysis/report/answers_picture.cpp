@@ -131,7 +131,7 @@ std::string answers_picture(const StudyReport& report) {
     marks += row(report.cells[i], scale, kTop + kRow * static_cast<double>(i), i);
   }
   const double chance = scale.axis.at(report.design.chance * scale.axis.high);
-  if (!report.withheld) marks += line(chance, bottom, chance, kTop - 52, "class=\"chance\"");
+  marks += line(chance, bottom, chance, kTop - 52, "class=\"chance\"");
   return picture("answers", kWidth, bottom + 52, "Correct answers against the critical number",
                  description(report), marks);
 }

@@ -55,7 +55,8 @@ std::string task(const StudyReport& report) {
   return text;
 }
 
-std::string exploration(const StudyDesign& design) {
+std::string exploration(const StudyReport& report) {
+  const StudyDesign& design = report.design;
   std::string text;
   if (design.most_presses > 0) {
     text +=
@@ -64,14 +65,22 @@ std::string exploration(const StudyDesign& design) {
             : fmt::format("An interval allowed {} to {} presses", design.least_presses, design.most_presses);
     if (design.max_time_s > 0) text += fmt::format(" within {} s", number(design.max_time_s));
     if (design.min_depth_m > 0)
-      text +=
-          fmt::format(", at least one of them {} mm deep and in contact", number(1000 * design.min_depth_m));
+      text += report.pseudo_haptic
+                  ? fmt::format(", the hand going at least once {} mm in", number(1000 * design.min_depth_m))
+                  : fmt::format(", at least one of them {} mm deep and in contact",
+                                number(1000 * design.min_depth_m));
     text += "; an interval that did not meet this was shown again. ";
   }
   if (!design.display_during_interval.empty()) {
-    text += fmt::format("On the screen during an interval: {}.", design.display_during_interval == "hidden"
-                                                                     ? "nothing of the organs or the probe"
-                                                                     : design.display_during_interval);
+    const std::string shown = design.display_during_interval == "hidden"
+                                  ? "nothing of the organs or the probe"
+                                  : design.display_during_interval;
+    text += fmt::format(
+        "On the screen during an interval: {}.",
+        report.pseudo_haptic && design.display_during_interval == "hidden"
+            ? "the pointer, which is the probe, and the line of the skin, which was elsewhere in every "
+              "interval; nothing of the organs"
+            : shown);
   }
   return text;
 }
@@ -249,7 +258,7 @@ void add_stimulus_limits(const StudyReport& report, std::vector<std::string>& li
 
 std::vector<std::string> method_section(const StudyReport& report) {
   std::vector<std::string> paragraphs{examinees(report), task(report)};
-  const std::string explored = exploration(report.design);
+  const std::string explored = exploration(report);
   if (!explored.empty()) paragraphs.push_back(explored);
   paragraphs.push_back(order(report));
   paragraphs.push_back(analysis_plan(report));

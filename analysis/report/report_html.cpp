@@ -96,14 +96,11 @@ std::string summary_section(const StudyReport& report) {
 }
 
 std::string primary_section(const StudyReport& report) {
-  const std::string caption =
-      report.withheld
-          ? "Correct answers so far. The critical numbers are withheld until the planned sample is complete."
-          : fmt::format(
-                "Correct answers of all examinees together (bars) with their {} interval. The grey "
-                "hill is the number that guessing would give; where it is dark, and from the black "
-                "line on, guessing is rejected. Dashed: chance.",
-                short_percent(report.options.level));
+  const std::string caption = fmt::format(
+      "Correct answers of all examinees together (bars) with their {} interval. The grey "
+      "hill is the number that guessing would give; where it is dark, and from the black "
+      "line on, guessing is rejected. Dashed: chance.",
+      short_percent(report.options.level));
   return heading("primary", "Did anybody tell the conditions apart?", "primary") +
          figure(answers_picture(report), caption) + html_table(primary_table(report)) +
          paragraph(report.pooled_claim, "claim") + kEnd;
@@ -189,13 +186,28 @@ std::string provenance_section(const StudyReport& report) {
         "<p>Computed from a study file with the receipt <code>{0}</code>: <code>palpate verify STUDY "
         "--receipt {0}</code> tells whether a file still holds these answers.</p>\n",
         escape(report.options.receipt));
-  text += html_table(examinee_table(report));
+  if (!report.withheld) text += html_table(examinee_table(report));
   if (!report.curves.empty()) text += html_table(curve_table(report));
   if (!report.design.protocol_text.empty()) {
     text += fmt::format("<h3>The protocol as it was run</h3>\n<pre>{}</pre>\n",
                         escape(report.design.protocol_text));
   }
   return text + kEnd;
+}
+
+std::string answers_as_html(const StudyReport& report) {
+  return heading("answers", "Answers so far") + html_table(answers_table(report)) + kEnd;
+}
+
+std::string results_as_html(const StudyReport& report) {
+  return primary_section(report) + people_section(report) + comparison_section(report) +
+         heading("sensitivity", "Sensitivity and the order of the intervals", "secondary") +
+         figure(orders_picture(report),
+                fmt::format("Percentage correct (dot) with its {} interval, by the interval that held {}. "
+                            "Dashed: chance.",
+                            short_percent(report.options.level), report.design.correct_condition)) +
+         html_table(sensitivity_table(report)) + kEnd + response_time_section(report) +
+         stimulus_section(report);
 }
 
 }  // namespace
@@ -207,16 +219,9 @@ std::string html_report(const StudyReport& report) {
              "<title>{}: significance report</title>\n<style>{}</style>\n</head>\n<body>\n"
              "<div class=\"sheet\">\n{}<main>\n",
              escape(report.design.protocol_name), kPageStyle, running_head(report)) +
-         header(report) + summary_section(report) + primary_section(report) + people_section(report) +
-         comparison_section(report) +
-         heading("sensitivity", "Sensitivity and the order of the intervals", "secondary") +
-         figure(orders_picture(report),
-                fmt::format("Percentage correct (dot) with its {} interval, by the interval that held {}. "
-                            "Dashed: chance.",
-                            short_percent(report.options.level), report.design.correct_condition)) +
-         html_table(sensitivity_table(report)) + kEnd + response_time_section(report) +
-         stimulus_section(report) + plan_section(report) + method_sections(report) +
-         provenance_section(report) + "</main>\n</div>\n</body>\n</html>\n";
+         header(report) + summary_section(report) +
+         (report.withheld ? answers_as_html(report) : results_as_html(report)) + plan_section(report) +
+         method_sections(report) + provenance_section(report) + "</main>\n</div>\n</body>\n</html>\n";
 }
 
 }  // namespace palpate::analysis

@@ -115,15 +115,15 @@ ordered_json cell_json(const StudyReport& report, const CellResult& cell) {
     const bool counted = cell.by_examinee[i].trials > 0 || !cell.all;
     const ExamineeCount& count = counted ? cell.by_examinee[i] : cell.all->by_examinee[i];
     examinees.push_back({{"examinee", report.examinees[i]},
-                         {"correct", count.correct},
+                         {"correct", report.withheld ? ordered_json() : ordered_json(count.correct)},
                          {"trials", count.trials},
                          {"counted", counted}});
   }
   ordered_json all = nullptr;
-  if (cell.all) all = {{"correct", cell.all->correct}, {"trials", cell.all->trials}};
+  if (cell.all && !report.withheld) all = {{"correct", cell.all->correct}, {"trials", cell.all->trials}};
   const bool tested = cell.primary.has_value();
   return {{"cell", cell.name},
-          {"correct", cell.correct},
+          {"correct", report.withheld ? ordered_json() : ordered_json(cell.correct)},
           {"trials", cell.trials},
           {"voided", cell.voided},
           {"all_answers", all},

@@ -42,6 +42,18 @@ std::string section(const TextTable& table, const std::string& title, const std:
   return table.note.empty() ? text : text + wrapped(table.note);
 }
 
+std::string results_as_text(const StudyReport& report) {
+  std::string primary = primary_in_words(report.design);
+  primary[0] = static_cast<char>(primary[0] - 'A' + 'a');
+  std::string text = section(primary_table(report), "Primary test: pooled " + primary, report.pooled_claim);
+  text += section(people_table(report), "Secondary: examinee-level test", report.people_claim);
+  if (!report.comparisons.empty()) {
+    text += section(comparison_table(report), "Cell against cell", report.comparison_claim);
+  }
+  text += section(sensitivity_table(report), "Secondary: sensitivity and interval order");
+  return text + section(examinee_table(report), "Correct answers of each examinee");
+}
+
 // Names come from files: nothing in them may steer the terminal.
 std::string tame(std::string text) {
   for (char& c : text) {
@@ -60,15 +72,7 @@ std::string text_report(const StudyReport& report) {
   text += heading("Summary", '=');
   for (std::size_t i = 0; i < report.summary.size(); ++i)
     text += (i > 0 ? "\n" : "") + wrapped(report.summary[i]);
-  std::string primary = primary_in_words(report.design);
-  primary[0] = static_cast<char>(primary[0] - 'A' + 'a');
-  text += section(primary_table(report), "Primary test: pooled " + primary, report.pooled_claim);
-  text += section(people_table(report), "Secondary: examinee-level test", report.people_claim);
-  if (!report.comparisons.empty()) {
-    text += section(comparison_table(report), "Cell against cell", report.comparison_claim);
-  }
-  text += section(sensitivity_table(report), "Secondary: sensitivity and interval order");
-  text += section(examinee_table(report), "Correct answers of each examinee");
+  text += report.withheld ? section(answers_table(report), "Answers so far") : results_as_text(report);
   if (const TextTable times = response_time_table(report); !times.rows.empty())
     text += section(times, "Secondary: response times");
   if (!report.stimuli.empty()) text += section(stimulus_table(report), "Stimuli as they were explored");

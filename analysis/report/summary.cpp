@@ -198,6 +198,7 @@ std::string points_range(const Interval& interval) {
 
 std::string cell_summary(const StudyReport& report, const CellResult& cell) {
   if (cell.trials == 0) return cell.name + ": no answers were counted." + all_answers_sentence(cell);
+  if (report.withheld) return fmt::format("{}: {}.", cell.name, counted(cell.trials, "answer", "answers"));
   std::string text = fmt::format(
       "{}: {} of {} {} correct ({}).", cell.name, cell.correct, counted(cell.trials, "answer", "answers"),
       cell.correct == 1 || cell.trials == 1 ? "was" : "were",
@@ -267,7 +268,7 @@ std::vector<std::string> banners(const StudyReport& report) {
     banners.push_back(fmt::format(
         "{}: {} of {} planned examinees are complete.{}", report.withheld ? "NOT COMPLETE" : "INTERIM LOOK",
         report.complete_examinees, report.planned_examinees,
-        report.withheld ? " No test is shown before the planned sample is reached."
+        report.withheld ? " No result is shown before the planned sample is reached."
                         : " The tests below were read before the planned sample was reached; to stop because "
                           "of them would make false positives more frequent than alpha."));
   }
@@ -283,9 +284,9 @@ std::vector<std::string> summary(const StudyReport& report) {
   if (report.withheld) {
     if (!report.design.looks.empty()) paragraphs.push_back(looks_sentence(report));
     paragraphs.push_back(
-        "Tests, critical numbers and intervals are withheld until the planned sample is complete, so "
-        "that nobody can stop the study when it happens to look well. An interim look has to be asked "
-        "for (--interim).");
+        "Results are withheld until the planned sample is complete, so that nobody can stop the study when it "
+        "happens to look well, and whoever leads the sittings knows no more than the examinees. An interim look "
+        "has to be asked for (--interim), and is logged.");
   }
   return paragraphs;
 }

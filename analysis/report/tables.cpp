@@ -44,6 +44,20 @@ std::string counts_of(const CellResult& cell, std::size_t examinee) {
 
 }  // namespace
 
+TextTable answers_table(const StudyReport& report) {
+  TextTable table{.title = "Answers so far", .header = {"examinee"}};
+  for (const CellResult& cell : report.cells) table.header.push_back(cell.name);
+  std::vector<std::string> all{"all"};
+  for (const CellResult& cell : report.cells) all.push_back(std::to_string(cell.trials));
+  table.rows.push_back(all);
+  for (std::size_t i = 0; i < report.examinees.size(); ++i) {
+    std::vector<std::string> row{report.examinees[i]};
+    for (const CellResult& cell : report.cells) row.push_back(std::to_string(cell.by_examinee[i].trials));
+    table.rows.push_back(row);
+  }
+  return table;
+}
+
 TextTable primary_table(const StudyReport& report) {
   const std::string level = short_percent(report.options.level);
   const bool one_sided = report.design.side != "two-sided";
@@ -63,7 +77,7 @@ TextTable primary_table(const StudyReport& report) {
       if (report.design.side == "greater") row.push_back("at least " + percent(cell.primary->bound.lower));
       if (report.design.side == "less") row.push_back("at most " + percent(cell.primary->bound.upper));
     }
-    row.resize(table.header.size(), report.withheld ? "withheld" : kNone);
+    row.resize(table.header.size(), kNone);
     table.rows.push_back(row);
   }
   table.note = fmt::format("{} against 1/2, alpha {}, side {}.", primary_in_words(report.design),
@@ -100,7 +114,7 @@ TextTable people_table(const StudyReport& report) {
       tests.insert(test.test.method.name);
       if (!std::isnan(test.interval.lower)) intervals.insert(test.interval.method);
     }
-    row.resize(table.header.size(), report.withheld ? "withheld" : kNone);
+    row.resize(table.header.size(), kNone);
     table.rows.push_back(row);
   }
   if (!tests.empty()) {
@@ -131,7 +145,7 @@ TextTable comparison_table(const StudyReport& report) {
       row.push_back(bare_p(comparison.sign_flip->p.two_sided));
     }
     if (comparison.signed_rank) row.push_back(bare_p(comparison.signed_rank->p.two_sided));
-    row.resize(table.header.size(), report.withheld ? "withheld" : kNone);
+    row.resize(table.header.size(), kNone);
     table.rows.push_back(row);
   }
   table.note = "Differences of proportions correct in percentage points; p values are two-sided.";
@@ -159,7 +173,7 @@ TextTable sensitivity_table(const StudyReport& report) {
                   order_cell(bias.counts.correct_second, bias.counts.trials_second),
                   percent(bias.share_first), bare_p(bias.p.two_sided)});
     }
-    row.resize(table.header.size(), report.withheld ? "withheld" : kNone);
+    row.resize(table.header.size(), kNone);
     table.rows.push_back(row);
   }
   table.note =
@@ -199,7 +213,8 @@ TextTable examinee_table(const StudyReport& report) {
 TextTable stimulus_table(const StudyReport& report) {
   TextTable table{
       .title = "Stimuli as they were explored",
-      .header = {"cell, condition", "intervals", "presses", "time (s)", "peak force (N)", "depth (mm)",
+      .header = {"cell, condition", "intervals", "presses", "time (s)",
+                 report.pseudo_haptic ? "peak force (N), not displayed" : "peak force (N)", "depth (mm)",
                  "clamped, at worst", "loop p99.9 (ms), at worst", "missed cycles"}};
   for (const StimulusSummary& stimulus : report.stimuli) {
     table.rows.push_back(
@@ -243,7 +258,9 @@ TextTable session_table(const StudyReport& report) {
 }
 
 TextTable curve_table(const StudyReport& report) {
-  TextTable table{.title = "Mean force (N) over depth", .header = {"depth (mm)"}};
+  TextTable table{.title = report.pseudo_haptic ? "Mean force (N) over depth, computed and not displayed"
+                                                : "Mean force (N) over depth",
+                  .header = {"depth (mm)"}};
   std::map<double, std::vector<std::string>> rows;  // by depth: curves need not share an axis
   for (const ForceCurve& curve : report.curves) {
     for (const double depth : curve.depth_m)

@@ -15,6 +15,8 @@ struct TextTable {
   std::string note{};
 };
 
+/// Who has answered how often, while results are withheld.
+TextTable answers_table(const StudyReport& report);
 TextTable primary_table(const StudyReport& report);        // answers, critical number, p, interval
 TextTable people_table(const StudyReport& report);         // examinee-level test
 TextTable comparison_table(const StudyReport& report);     // cell against cell

@@ -79,7 +79,12 @@ TEST(Analyse, WithholdsTestsUntilThePlannedSampleIsComplete) {
   EXPECT_TRUE(report.withheld);
   EXPECT_FALSE(report.cells[0].primary || report.cells[0].by_people || report.cells[0].d_prime ||
                report.cells[0].bias);
-  EXPECT_FALSE(report.comparisons[0].sign_flip || report.comparisons[0].signed_rank);
+  EXPECT_TRUE(report.comparisons.empty() && report.stimuli.empty() && report.curves.empty());
+  EXPECT_EQ(report.cells[0].trials, 56);
+  for (const CellResult& cell : report.cells) {
+    EXPECT_EQ(cell.correct, 0);
+    for (const ExamineeCount& examinee : cell.by_examinee) EXPECT_EQ(examinee.correct, 0);
+  }
   for (const std::string& sentence : report.summary) EXPECT_THAT(sentence, Not(HasSubstr("p =")));
   EXPECT_THAT(report.banners, Contains(HasSubstr("14 of 15 planned examinees")));
   const StudyReport look = analyse(test::study_table(correct), {.interim = true});

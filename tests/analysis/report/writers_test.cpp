@@ -119,7 +119,21 @@ TEST(JsonReport, HoldsNoTestWhereTestsAreWithheld) {
        {"primary", "critical", "examinee_level", "dprime", "interval_order", "significant"}) {
     EXPECT_TRUE(json["cells"][0][key].is_null()) << key;
   }
-  EXPECT_TRUE(json["comparisons"][0]["sign_flip"].is_null());
+  EXPECT_TRUE(json["comparisons"].empty() && json["stimuli"].empty() && json["force_curves"].empty());
+  EXPECT_TRUE(json["cells"][0]["correct"].is_null());
+  EXPECT_TRUE(json["cells"][0]["by_examinee"][0]["correct"].is_null());
+  EXPECT_EQ(json["cells"][0]["trials"], 12);
+}
+
+// Whoever leads the sittings must not know how they come out.
+TEST(Report, SaysTheSameWhateverIsAnsweredBeforeTheSampleIsComplete) {
+  const std::vector<std::vector<int>> all_right(3, {4, 4}), all_wrong(3, {0, 0});
+  const StudyReport right = analyse(test::study_table(all_right)),
+                    wrong = analyse(test::study_table(all_wrong));
+  EXPECT_EQ(text_report(right), text_report(wrong));
+  EXPECT_EQ(html_report(right), html_report(wrong));
+  EXPECT_EQ(json_report(right), json_report(wrong));
+  EXPECT_THAT(text_report(right), HasSubstr("Answers so far"));
 }
 
 TEST(HtmlReport, StandsAloneAndEscapesWhatComesFromFiles) {
