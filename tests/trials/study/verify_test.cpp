@@ -165,11 +165,14 @@ TEST_F(VerifyTest, AFileThatIsNotWholeIsNotGoneOnWith) {
             said);
 }
 
-// Who cuts back the whole end of the chain leaves a file that fits together: only the receipt tells.
+// Who cuts back the whole end of the chain, and takes away the head beside the file, leaves one that fits
+// together: only the receipt tells.
 TEST_F(VerifyTest, ACutBackFileIsFoundByTheReceipt) {
   tamper("DELETE FROM event WHERE kind = 'session ended'");
   tamper("DELETE FROM answer WHERE trial = 4");
   tamper("DELETE FROM ledger WHERE entry > 4");
+  EXPECT_THAT(problems(), testing::ElementsAre(HasSubstr("6 entries of the chain were saved")));
+  std::filesystem::remove(path_.string() + ".head");
   EXPECT_THAT(problems(), IsEmpty());
   EXPECT_THAT(verify_study(path_, receipt_).problems,
               Contains(HasSubstr("it was printed for 6 entries, the file holds 4")));
