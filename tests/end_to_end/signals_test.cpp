@@ -1,5 +1,4 @@
 // What the system would end a program for without a word.
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -12,8 +11,7 @@
 namespace palpate {
 namespace {
 
-using testing::HasSubstr;
-using testing::StartsWith;
+constexpr const char* kSaid = "Error: standard output: cannot be written; the result is lost\n";
 
 class Signals : public testing::Test {
  protected:
@@ -31,13 +29,12 @@ class Signals : public testing::Test {
 
 TEST_F(Signals, AReaderThatHasGoneIsSaid) {
   EXPECT_EQ(run_script("(sleep 0.3; exec $PALPATE stats list 2> $SAID) | true; exit ${PIPESTATUS[0]}"), 3);
-  EXPECT_THAT(said(), StartsWith("Error: "));
-  EXPECT_THAT(said(), testing::AnyOf(HasSubstr("standard output"), HasSubstr("Broken pipe")));
+  EXPECT_EQ(said(), kSaid);
 }
 
 TEST_F(Signals, AFileThatMayGrowNoFurtherIsSaid) {
   EXPECT_EQ(run_script("ulimit -f 1; exec $PALPATE stats list > $SAID.out 2> $SAID"), 3);
-  EXPECT_THAT(said(), StartsWith("Error: "));
+  EXPECT_EQ(said(), kSaid);
 }
 
 }  // namespace

@@ -23,16 +23,17 @@ using testing::HasSubstr;
 /// Sets a variable of the environment for a while.
 class Set {
  public:
-  Set(const char* name, const std::string& value) : name_(name), before_(std::getenv(name)) {
+  Set(const char* name, const std::string& value) : name_(name) {
+    if (const char* before = std::getenv(name)) before_ = before;
     ::setenv(name, value.c_str(), 1);
   }
-  ~Set() { ::setenv(name_, before_.c_str(), 1); }
+  ~Set() { before_ ? ::setenv(name_, before_->c_str(), 1) : ::unsetenv(name_); }
   Set(const Set&) = delete;
   Set& operator=(const Set&) = delete;
 
  private:
   const char* name_;
-  std::string before_;
+  std::optional<std::string> before_{};
 };
 
 // A cube of six tetrahedra, each format written here by its own description.
