@@ -92,7 +92,7 @@ TEST_F(Export, EveryFormatAppears) {
     EXPECT_THAT(outcome.err, IsEmpty());
     EXPECT_THAT(outcome.out, HasSubstr(file(as)));
   }
-  EXPECT_EQ(names(), (std::vector<std::string>{"a.db", "bids", "csv", "json", "psych-ds"}));
+  EXPECT_EQ(names(), (std::vector<std::string>{"a.db", "a.db.head", "bids", "csv", "json", "psych-ds"}));
   EXPECT_THAT(read(folder_ / "bids/README.md"), HasSubstr("6 simulated"));
 }
 
@@ -131,7 +131,7 @@ TEST_F(Export, AFullDiskLeavesNothing) {
     const int status = std::system(("bash -c \"" + command + "\" > /dev/null").c_str());
     EXPECT_EQ(WEXITSTATUS(status), 3) << as;
     EXPECT_THAT(read(folder_ / "said"), HasSubstr("cannot write: File too large")) << as;
-    EXPECT_EQ(names(), (std::vector<std::string>{"a.db", "said"})) << as;
+    EXPECT_EQ(names(), (std::vector<std::string>{"a.db", "a.db.head", "said"})) << as;
   }
 }
 

@@ -6,7 +6,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -108,43 +107,6 @@ TEST_F(Cache, LeavesNothingBesideTheFile) {
   written();
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), {}), 1);
   EXPECT_TRUE(fs::exists(file_));
-}
-
-// Room for two: the one that was used longest ago goes, be it the last that was made.
-TEST_F(Cache, KeepsToItsSizeByLastUse) {
-  const auto bytes = written().size();
-  const auto hour = std::chrono::hours(1);
-  const auto now = fs::file_time_type::clock::now();
-  Input second, third;
-  second.fixed.pop_back();
-  third.touch.pop_back();
-  const auto file = [&](const Input& input) { return folder_.path() / (input.key() + ".compliance"); };
-  ComplianceCache whole(folder_.path());
-  second.from(whole);
-  fs::last_write_time(file_, now - 2 * hour);
-  fs::last_write_time(file(second), now - hour);
-  put(folder_.path() / "mine.txt", std::string(10 * bytes, 'x'));  // not ours: neither counted nor removed
-  {
-    ComplianceCache reading(folder_.path());
-    input_.from(reading);  // used now
-  }
-  EXPECT_GT(fs::last_write_time(file_), now - hour);
-  ComplianceCache small(folder_.path(), {}, 2 * bytes);
-  third.from(small);
-  EXPECT_TRUE(fs::exists(file_));
-  EXPECT_FALSE(fs::exists(file(second)));
-  EXPECT_TRUE(fs::exists(file(third)));
-  EXPECT_TRUE(fs::exists(folder_.path() / "mine.txt"));
-}
-
-TEST_F(Cache, KeepsWhatItUsesBeyondItsSize) {
-  ComplianceCache none(folder_.path(), {}, 0);
-  Input second;
-  second.fixed.pop_back();
-  input_.from(none);
-  second.from(none);
-  EXPECT_TRUE(fs::exists(file_));
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), {}), 2);
 }
 
 /// Whatever a compliance depends on is in its key; what does not matter is not.

@@ -165,8 +165,7 @@ TEST_F(VerifyTest, AFileThatIsNotWholeIsNotGoneOnWith) {
             said);
 }
 
-// Who cuts back the whole end of the chain, and takes away the head beside the file, leaves one that fits
-// together: only the receipt tells.
+// Who cuts back the whole end of the chain, and the head beside the file, is told by the receipt alone.
 TEST_F(VerifyTest, ACutBackFileIsFoundByTheReceipt) {
   tamper("DELETE FROM event WHERE kind = 'session ended'");
   tamper("DELETE FROM answer WHERE trial = 4");
