@@ -16,7 +16,10 @@ find_package(ZLIB REQUIRED)
 find_package(JPEG REQUIRED)
 find_package(PNG REQUIRED)
 find_package(pugixml REQUIRED)
-pkg_check_modules(OSMESA REQUIRED IMPORTED_TARGET osmesa)
+pkg_check_modules(OSMESA REQUIRED osmesa)
+add_library(palpate_osmesa INTERFACE)  # headers alone: the library is loaded when something is drawn
+target_include_directories(palpate_osmesa SYSTEM INTERFACE ${OSMESA_INCLUDE_DIRS})
+target_link_libraries(palpate_osmesa INTERFACE ${CMAKE_DL_LIBS})
 
 # SuiteSparse in Debian 12 ships neither a CMake nor a pkg-config file.
 find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse REQUIRED)

@@ -275,7 +275,8 @@ StudyReport analyse(const StudyTable& table, const ReportOptions& options) {
                      .run_mode = selection.run_mode,
                      .planned_examinees = table.design.planned_examinees,
                      .examinees = selection.examinees,
-                     .frozen_plan = table.frozen_plan};
+                     .parts = table.parts,
+                     .frozen_plans = table.frozen_plans};
   take_sessions(table, selection, report);
   compute(selection, report);
   take_looks(table, report);

@@ -42,35 +42,58 @@ void add_sessions(const StudyReport& report, std::vector<std::string>& found) {
 
 void add_versions(const StudyReport& report, std::vector<std::string>& found) {
   std::set<std::string> versions;
-  for (const ReportedSession& session : report.sessions) versions.insert(session.software_version);
-  if (report.frozen_plan) versions.insert(report.frozen_plan->software_version);
+  for (const ReportedSession& session : report.sessions) {
+    versions.insert(session.software_version);
+    versions.insert(session.later_versions.begin(), session.later_versions.end());
+  }
+  for (const FrozenPlan& plan : report.frozen_plans) versions.insert(plan.software_version);
   versions.erase("");
   if (versions.size() < 2) return;
   found.push_back(fmt::format("The program's version changed on the way: {}.",
                               listed(std::vector<std::string>(versions.begin(), versions.end()))));
 }
 
-bool begun_before_the_plan(const StudyReport& report) {
+void add_plans(const StudyReport& report, std::vector<std::string>& found) {
+  std::set<std::string> hashes;
+  for (const FrozenPlan& plan : report.frozen_plans) hashes.insert(plan.sha256);
+  if (hashes.size() > 1) found.push_back("The parts froze analysis plans that are not the same.");
+}
+
+bool begun_before(const StudyReport& report, const FrozenPlan& plan) {
   return std::ranges::any_of(report.sessions, [&](const ReportedSession& session) {
-    return session.started_utc < report.frozen_plan->frozen_utc;  // ISO 8601 sorts by time
+    return session.part == plan.part && session.started_utc < plan.frozen_utc;  // ISO 8601 sorts by time
   });
+}
+
+/// What was frozen, and in a joined file in which of its parts; and where nothing was.
+void add_frozen(const StudyReport& report, std::vector<std::string>& words) {
+  if (report.frozen_plans.empty()) {
+    words.push_back(
+        "No analysis plan was frozen. The protocol, which names the primary test, alpha and the sample, was "
+        "stored with the first session and cannot be changed since.");
+    return;
+  }
+  for (const FrozenPlan& plan : report.frozen_plans)
+    words.push_back(
+        fmt::format("The analysis plan was frozen in {} on {} (SHA-256 {}){}.",
+                    part_in_words(report, plan.part), plan.frozen_utc, plan.sha256,
+                    begun_before(report, plan) ? ", after the first of these sessions had begun" : ""));
+  for (std::size_t part = 0; part < report.parts.size(); ++part)
+    if (std::ranges::find(report.frozen_plans, part, &FrozenPlan::part) == report.frozen_plans.end())
+      words.push_back(fmt::format("No analysis plan was frozen in {}.", part_in_words(report, part)));
 }
 
 }  // namespace
 
+std::string part_in_words(const StudyReport& report, std::size_t part) {
+  if (report.parts.empty()) return "the study file";
+  return part < report.parts.size() ? report.parts[part] : "the joined file";
+}
+
 std::vector<std::string> plan_in_words(const StudyReport& report) {
   const StudyDesign& design = report.design;
   std::vector<std::string> words;
-  if (report.frozen_plan) {
-    words.push_back(
-        fmt::format("The analysis plan was frozen in the study file on {} (SHA-256 {}){}.",
-                    report.frozen_plan->frozen_utc, report.frozen_plan->sha256,
-                    begun_before_the_plan(report) ? ", after the first of these sessions had begun" : ""));
-  } else {
-    words.push_back(
-        "No analysis plan was frozen. The protocol, which names the primary test, alpha and the sample, was "
-        "stored with the first session and cannot be changed since.");
-  }
+  add_frozen(report, words);
   words.push_back(fmt::format(
       "Planned: {} examinees; primary test {}, alpha {}, side {}; between cells {}{}.",
       design.planned_examinees, design.primary, design.alpha, design.side,
@@ -91,6 +114,7 @@ std::vector<std::string> deviations(const StudyReport& report) {
   add_looks(report, found);
   add_sessions(report, found);
   add_versions(report, found);
+  add_plans(report, found);
   return found;
 }
 

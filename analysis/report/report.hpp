@@ -104,7 +104,8 @@ struct StudyReport {
   std::vector<ForceCurve> curves{};  // of this run mode
   std::vector<VoidedTrial> voided{};
   std::vector<ReportedSession> sessions{};  // of this run mode
-  std::optional<FrozenPlan> frozen_plan{};
+  std::vector<std::string> parts{};         // as StudyTable has them
+  std::vector<FrozenPlan> frozen_plans{};
   std::vector<LookEvent> interim_looks{};  // at results of this run mode, that were not planned
   std::vector<LookEvent> planned_looks{};  // when each was first taken; this one as well
   std::vector<std::string> plan{};         // what was fixed beforehand, a sentence each

@@ -3,6 +3,7 @@
 #include "analysis/binomial/to_json.hpp"
 #include "analysis/detection/to_json.hpp"
 #include "analysis/numerics/to_json.hpp"
+#include "analysis/report/deviations.hpp"
 #include "analysis/report/write_report.hpp"
 #include "analysis/resampling/to_json.hpp"
 #include "analysis/statistics/examinee_level/to_json.hpp"
@@ -92,17 +93,18 @@ ordered_json times_json(const std::optional<ResponseTimes>& times) {
 }
 
 ordered_json plan_json(const StudyReport& report) {
-  ordered_json frozen = nullptr;
-  if (report.frozen_plan) {
-    frozen = {{"sha256", report.frozen_plan->sha256},
-              {"frozen_utc", report.frozen_plan->frozen_utc},
-              {"software_version", report.frozen_plan->software_version}};
-  }
+  ordered_json frozen = ordered_json::array();
+  for (const FrozenPlan& plan : report.frozen_plans)
+    frozen.push_back({{"sha256", plan.sha256},
+                      {"frozen_utc", plan.frozen_utc},
+                      {"software_version", plan.software_version},
+                      {"frozen_in", part_in_words(report, plan.part)}});
   ordered_json looks = ordered_json::array();
   for (const LookEvent& look : report.planned_looks)
     looks.push_back({{"number", look.planned},
                      {"first_taken_utc", look.utc.empty() ? ordered_json(nullptr) : ordered_json(look.utc)}});
-  return {{"frozen", frozen},
+  return {{"frozen", frozen.empty() ? ordered_json(nullptr) : frozen.front()},
+          {"frozen_plans", frozen},
           {"words", report.plan},
           {"deviations", report.deviations},
           {"planned_looks_taken", looks},
@@ -178,7 +180,8 @@ ordered_json session_json(const ReportedSession& session) {
           {"force_scale", session.force_scale},
           {"order_source", session.order_source},
           {"protocol_sha256", session.protocol_sha256},
-          {"software_version", session.software_version}};
+          {"software_version", session.software_version},
+          {"later_software_versions", session.later_versions}};
 }
 
 ordered_json curve_json(const StudyReport& report, const ForceCurve& curve) {

@@ -52,8 +52,10 @@ struct ReportedSession {
   std::string examinee{};
   std::string run_mode{};  // "study", "pilot", "practice", "simulated"
   std::string protocol_sha256{};
-  std::string software_version{};
-  std::string device{};        // "mouse", "simulated observer", ...
+  std::string software_version{};             // that began it
+  std::vector<std::string> later_versions{};  // that took it up again, each once
+  std::size_t part = 0;                       // into StudyTable::parts
+  std::string device{};                       // "mouse", "simulated observer", ...
   std::string channel{};       // what carries the stimulus when pseudo_haptic: "pointer lag"; else empty
   std::string order_source{};  // "operating system" or "seed 42"
   std::string started_utc{};   // ISO 8601
@@ -106,8 +108,9 @@ struct ForceCurve {
   std::size_t intervals = 0;          // presses averaged
 };
 
-/// The analysis plan as it was frozen in the study file.
+/// An analysis plan as it was frozen in the study file.
 struct FrozenPlan {
+  std::size_t part = 0;  // into StudyTable::parts
   std::string sha256{};  // of its text
   std::string frozen_utc{};
   std::string software_version{};
@@ -123,7 +126,8 @@ struct LookEvent {
 
 struct StudyTable {
   StudyDesign design{};
-  std::optional<FrozenPlan> frozen_plan{};
+  std::vector<std::string> parts{};  // in words, what the file was joined from; none: it is one study's
+  std::vector<FrozenPlan> frozen_plans{};
   std::vector<LookEvent> looks{};
   std::vector<ReportedSession> sessions{};
   std::vector<TrialRow> trials{};

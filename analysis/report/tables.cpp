@@ -241,6 +241,14 @@ TextTable voided_table(const StudyReport& report) {
   return table;
 }
 
+/// "0.1.0, then 0.2.0" of a session that another version took up again.
+std::string versions_of(const ReportedSession& session) {
+  std::string versions = session.software_version;
+  for (const std::string& later : session.later_versions)
+    if (later != session.software_version) versions += ", then " + later;
+  return versions;
+}
+
 TextTable session_table(const StudyReport& report) {
   TextTable table{.title = "Sessions",
                   .header = {"examinee", "session", "begun (UTC)", "finished", "resumed", "device",
@@ -251,7 +259,7 @@ TextTable session_table(const StudyReport& report) {
   for (const ReportedSession& session : report.sessions) {
     table.rows.push_back({session.examinee, std::to_string(session.session), session.started_utc,
                           session.finished ? "yes" : "no", std::to_string(session.times_resumed),
-                          session.device, session.order_source, session.software_version});
+                          session.device, session.order_source, versions_of(session)});
     if (scaled) table.rows.back().push_back(number(session.force_scale));
   }
   return table;

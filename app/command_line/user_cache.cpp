@@ -5,9 +5,10 @@
 namespace palpate::app {
 
 sim::ComplianceCache user_cache() {
-  return sim::ComplianceCache(sim::ComplianceCache::default_folder(), [](const std::string& sentence) {
-    spdlog::warn("compliance cache: {}", sentence);
-  });
+  return sim::ComplianceCache(
+      sim::ComplianceCache::default_folder(),
+      [](const std::string& sentence) { spdlog::warn("compliance cache: {}", sentence); },
+      sim::ComplianceCache::size_asked_for());
 }
 
 }  // namespace palpate::app

@@ -12,6 +12,7 @@
 #include "base/files/sha256.hpp"
 #include "trials/study/answered_trials.hpp"
 #include "trials/study/merged_part.hpp"
+#include "trials/study/resumption.hpp"
 
 namespace palpate::app {
 namespace {
@@ -104,13 +105,43 @@ struct PressedCondition {
 };
 using Pressed = std::map<PressedCondition, std::vector<std::int64_t>>;  // ids of presentations
 
+// Which of a joined file's parts an entry of its chain, or a sitting, came with; their number for what came
+// after they were joined.
+std::size_t part_of_entry(const std::vector<trials::MergedPart>& parts, std::int64_t entry) {
+  std::size_t part = 0;
+  for (std::int64_t last = 0; part < parts.size(); ++part)
+    if (entry <= (last += parts[part].receipt.entries)) break;
+  return part;
+}
+std::size_t part_of_session(const std::vector<trials::MergedPart>& parts, std::int64_t session) {
+  std::size_t part = 0;
+  for (std::int64_t last = 0; part < parts.size(); ++part)
+    if (session <= (last += parts[part].sessions)) break;
+  return part;
+}
+
+std::vector<std::string> versions_that_resumed(const std::vector<trials::EventRow>& events,
+                                               std::int64_t session) {
+  std::vector<std::string> versions;
+  for (const trials::EventRow& event : events) {
+    if (event.session != session) continue;
+    const auto version = trials::version_resumed_by(event);
+    if (version && std::ranges::find(versions, *version) == versions.end()) versions.push_back(*version);
+  }
+  return versions;
+}
+
 // The sittings, and where each stands in the table, by its id.
 std::map<std::int64_t, std::size_t> add_sessions(const trials::StudyFile& study,
+                                                 const std::vector<trials::MergedPart>& parts,
                                                  analysis::StudyTable& table) {
   std::map<std::int64_t, std::size_t> places;
+  const auto events = study.events();
   for (const trials::SessionRow& session : study.sessions()) {
     places[session.id] = table.sessions.size();
     table.sessions.push_back(session_of(table.design.protocol_sha256, session));
+    table.sessions.back().part = part_of_session(parts, session.id);
+    table.sessions.back().later_versions = versions_that_resumed(events, session.id);
   }
   return places;
 }
@@ -205,10 +236,11 @@ std::vector<double> force_at_depths(const trials::Trace& trace) {
 
 namespace {
 
-analysis::FrozenPlan frozen_plan_of(const trials::EventRow& event) {
+analysis::FrozenPlan frozen_plan_of(const trials::EventRow& event, std::size_t part) {
   const auto plan = nlohmann::json::parse(event.text, nullptr, false);
   const auto text = [&](const char* key) { return plan.is_object() ? plan.value(key, "") : std::string(); };
-  return {.sha256 = base::sha256_hex(event.text),
+  return {.part = part,
+          .sha256 = base::sha256_hex(event.text),
           .frozen_utc = event.utc,
           .software_version = text("software_version")};
 }
@@ -219,16 +251,21 @@ analysis::StudyTable read_study_table(const trials::StudyFile& study, bool curve
   const trials::Protocol& protocol = study.protocol();
   analysis::StudyTable table{.design = design_of(protocol)};
   const auto events = study.events();
+  const auto parts = trials::merged_parts(events);
   for (const trials::EventRow& event : events) {
-    if (event.kind == kPlanFrozen) table.frozen_plan = frozen_plan_of(event);
+    if (event.kind == kPlanFrozen)
+      table.frozen_plans.push_back(frozen_plan_of(event, part_of_entry(parts, event.entry)));
     if (const auto look = look_of(event)) table.looks.push_back(*look);
   }
-  for (const trials::MergedPart& part : trials::merged_parts(events))
-    table.notes.push_back(fmt::format("Joined from the study file {}{}: {} sittings, receipt {}.", part.file,
-                                      part.site.empty() ? "" : " of the site " + part.site, part.sessions,
+  for (const trials::MergedPart& part : parts) {
+    const std::string name =
+        fmt::format("the study file {}{}", part.file, part.site.empty() ? "" : " of the site " + part.site);
+    table.parts.push_back(name);
+    table.notes.push_back(fmt::format("Joined from {}: {} sittings, receipt {}.", name, part.sessions,
                                       trials::to_string(part.receipt)));
+  }
   const auto answered = trials::answered_trials(study);
-  const auto places = add_sessions(study, table);  // after the answers: a sitting may begin meanwhile
+  const auto places = add_sessions(study, parts, table);  // after the answers: a sitting may begin meanwhile
   for (const trials::AnsweredTrial& trial : answered)
     table.trials.push_back(trial_of(protocol, trial, places.at(trial.session->id)));
   if (!curves) return table;

@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "base/files/read_file.hpp"
+#include "base/text/toml_depth.hpp"
 
 namespace palpate::base {
 namespace {
@@ -43,6 +44,7 @@ void TomlReader::refuse_unknown(std::string_view key) const {
 }
 
 toml::table parse_toml(std::string_view text, const std::string& file) {
+  refuse_deep_toml(text, file);
   try {
     return toml::parse(text, file);
   } catch (const toml::parse_error& error) {

@@ -194,7 +194,8 @@ class TomlReader {
 /// nothing.
 std::optional<std::string> nearest_key(std::string_view typed, const std::set<std::string>& known);
 
-/// Parses TOML; a syntax error names file and line. Throws std::invalid_argument.
+/// Parses TOML; a syntax error names file and line, and so does a key of more parts or a value of more
+/// brackets than any of ours has (toml_depth.hpp). Throws std::invalid_argument.
 toml::table parse_toml(std::string_view text, const std::string& file);
 toml::table read_toml(const std::filesystem::path& file);
 

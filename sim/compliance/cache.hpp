@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -19,13 +20,22 @@ namespace palpate::sim {
 /// run. Several caches, in threads or processes, may share a folder; one cache belongs to one thread.
 class ComplianceCache {
  public:
+  static constexpr std::uintmax_t kDefaultSize = std::uintmax_t{2} << 30;  // [byte]
+
   /// @param folder   empty: memory only
   /// @param trouble  told, in a sentence for the user, what went wrong without stopping the run
+  /// @param size     what the folder may hold [byte]: after each file that is added, those that were used
+  ///                 longest ago are removed, but none that this cache has used
   explicit ComplianceCache(std::filesystem::path folder,
-                           std::function<void(const std::string& sentence)> trouble = {});
+                           std::function<void(const std::string& sentence)> trouble = {},
+                           std::uintmax_t size = kDefaultSize);
 
   /// The folder that the program uses: $PALPATE_CACHE, else $XDG_CACHE_HOME/palpate, else ~/.cache/palpate.
   static std::filesystem::path default_folder();
+
+  /// $PALPATE_CACHE_SIZE [byte], given as "500 MiB" or "2 GiB", else kDefaultSize. Throws
+  /// std::invalid_argument for what is no such size.
+  static std::uintmax_t size_asked_for();
 
   /// The compliance of the supported body, from memory, disk or condense(stiffness(mesh, materials), ...).
   /// Bodies of one material have it at E = 1 Pa, so that a change of stiffness finds the same entry.
@@ -35,7 +45,10 @@ class ComplianceCache {
                                         std::span<const int> drawn);
 
  private:
+  void trim() const;
+
   std::filesystem::path folder_;
+  std::uintmax_t size_;
   std::function<void(const std::string&)> tell_trouble_;
   std::map<std::string, std::shared_ptr<const Compliance>> in_memory_;
 };

@@ -6,13 +6,16 @@
 #include <stdexcept>
 
 #include "base/files/read_file.hpp"
+#include "sim/mesh/convert_mesh.hpp"
 #include "sim/mesh/cursor.hpp"
 #include "sim/mesh/parse_mesh.hpp"
 
 namespace palpate::sim {
 namespace {
 
-constexpr const char* kAccepted = "Gmsh MSH 2.2 or 4.1 (text or binary) and VTU are accepted";
+constexpr const char* kAccepted =
+    "Gmsh MSH 2.2 or 4.1 (text or binary) and VTU are accepted, and with Gmsh installed MSH 1, "
+    "legacy VTK, UNV, MED, Medit, Abaqus INP and Nastran, by the file name's ending";
 
 bool looks_like_xml(std::string_view bytes) {
   const std::size_t start = bytes.find_first_not_of(" \t\r\n");
@@ -35,7 +38,9 @@ MeshFile parse_mesh(std::string_view bytes, const std::string& name, double metr
 }
 
 MeshFile read_mesh(const std::filesystem::path& file, double metres_per_unit) {
-  return parse_mesh(base::read_file(file, "a mesh file"), file.string(), metres_per_unit);
+  std::string bytes = base::read_file(file, "a mesh file");
+  if (format_of_gmsh(bytes, file)) bytes = converted_by_gmsh(bytes, file);
+  return parse_mesh(bytes, file.string(), metres_per_unit);
 }
 
 }  // namespace palpate::sim

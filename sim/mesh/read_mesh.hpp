@@ -21,7 +21,7 @@ struct MeshFile {
 
 /// Reads Gmsh MSH 2.2 or 4.1 (ASCII or binary) or VTU (ASCII, base64 or raw, plain or zlib), told apart by
 /// content. First-order tetrahedra are the body; points, lines and triangles only name groups; other elements
-/// are refused.
+/// are refused. What Gmsh alone reads (convert_mesh.hpp) is converted by it first.
 ///
 /// MSH: named physical groups of every dimension become node groups (an empty one stays, empty), those of
 /// volumes regions as well. A tetrahedron in several named volumes counts to the one with the fewest

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/text/quantity.hpp"
+#include "base/text/toml_depth.hpp"
 #include "base/text/toml_reader.hpp"
 #include "sim/scene/accepted.hpp"
 #include "sim/scene/scene.hpp"
@@ -21,8 +22,10 @@ Vec3 to_vec3(const base::Triple& values) {
 /// A value as a TOML file would hold it; what is no TOML is a string, so that units need no quotes in a
 /// shell.
 toml::table parse_override(const Override& change) {
+  const std::string text = "value = " + change.value;
+  base::refuse_deep_toml(text, change.key);
   try {
-    return toml::parse("value = " + change.value);
+    return toml::parse(text);
   } catch (const toml::parse_error&) {
     return toml::table{{"value", change.value}};
   }
@@ -41,6 +44,7 @@ void refuse_invented(const toml::table& root, std::string_view key, std::string_
 }
 
 void apply(toml::table& root, const Override& change) {
+  base::refuse_deep_key(change.key);
   toml::table* table = &root;
   std::string_view key = change.key;
   for (auto dot = key.find('.'); dot != std::string_view::npos; dot = key.find('.')) {

@@ -1,12 +1,24 @@
 #pragma once
 
-// OpenGL as libOSMesa exports it, and the few handles that the renderer owns.
+// OpenGL as libOSMesa exports it, and the few handles that the renderer owns. The library, and LLVM with it, is
+// loaded when something is drawn: a statistic needs neither.
 #define GL_GLEXT_PROTOTYPES
 #include <GL/osmesa.h>
 // osmesa.h includes gl.h; glext.h holds what came after OpenGL 1.3.
 #include <GL/glext.h>
 
+#include "sim/view/gl_functions.hpp"
+
 namespace palpate::sim {
+
+// Within this namespace OpenGL's names are these pointers, so that a call reads as it always does.
+#define PALPATE_GL(name) extern decltype(&::name) name;  // NOLINT
+PALPATE_GL_FUNCTIONS
+#undef PALPATE_GL
+
+/// Loads libOSMesa, unless it is there already; before any other call. Throws std::runtime_error that names
+/// the package where it cannot be had.
+void load_gl();
 
 /// Throws std::runtime_error that says what was being done if OpenGL reports an error.
 void check_gl(const char* doing);

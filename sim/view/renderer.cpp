@@ -16,8 +16,13 @@ namespace {
 
 constexpr int kSamples = 4;  // of each pixel, for smooth outlines
 
+OSMesaContext make_context() {
+  load_gl();
+  return OSMesaCreateContextExt(OSMESA_RGBA, 0, 0, 0, nullptr);
+}
+
 struct OsMesa {
-  OSMesaContext context = OSMesaCreateContextExt(OSMESA_RGBA, 0, 0, 0, nullptr);
+  OSMesaContext context = make_context();
   std::array<std::uint8_t, 4> pixel{};  // OSMesa wants a buffer of its own; the pictures have others
   OsMesa() {
     if (context == nullptr) throw std::runtime_error("OSMesa cannot make an OpenGL context (libosmesa6)");

@@ -59,6 +59,25 @@ TEST_F(Merge, JoinsTwoSites) {
   EXPECT_TRUE(std::filesystem::exists(folder_ / "bids/sub-KyotoS01"));
 }
 
+TEST_F(Merge, KeepsTheFrozenPlanOfEverySite) {
+  const std::string protocol = palpate::test::source_folder() + "/protocols/kuroda2003.toml";
+  for (const auto& [name, seed] : {std::pair{"osaka.db", "1"}, std::pair{"kyoto.db", "2"}}) {
+    std::filesystem::remove(file(name));
+    ASSERT_EQ(run({"plan", protocol, "--freeze", file(name)}).exit_code, 0);
+    ASSERT_EQ(
+        run({"simulate", protocol, "--study", file(name), "--examinees", "1", "--seed", seed}).exit_code, 0);
+  }
+  ASSERT_EQ(run(join("all.db")).exit_code, 0);
+  const json plan =
+      json::parse(
+          run({"report", file("all.db"), "--run-mode", "simulated", "--interim", "--format", "json"}).out)
+          .at("plan");
+  ASSERT_EQ(plan.at("frozen_plans").size(), 2U);
+  EXPECT_EQ(plan.at("frozen_plans").at(0).at("frozen_in"), "the study file osaka.db of the site Osaka");
+  EXPECT_EQ(plan.at("frozen_plans").at(1).at("frozen_in"), "the study file kyoto.db of the site Kyoto");
+  EXPECT_EQ(plan.at("frozen"), plan.at("frozen_plans").at(0));
+}
+
 TEST_F(Merge, RefusesEqualCodesAndTakenNames) {
   const Outcome clash = run({"merge", file("all.db"), file("osaka.db"), file("kyoto.db")});
   EXPECT_EQ(clash.exit_code, 1);
@@ -73,13 +92,13 @@ TEST_F(Merge, RefusesEqualCodesAndTakenNames) {
 }
 
 TEST_F(Merge, AFullDiskLeavesNothing) {
-  std::string command = std::string("ulimit -f 100; trap '' XFSZ; exec ") + palpate::test::program_file();
+  std::string command = std::string("ulimit -f 100; exec ") + palpate::test::program_file();
   for (const std::string& word : join("all.db")) command += " " + word;
   command += " 2> " + file("said");
   const int status = std::system(("bash -c \"" + command + "\" > /dev/null").c_str());
   EXPECT_EQ(WEXITSTATUS(status), 3) << read(folder_ / "said");
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_.path()), {}),
-            3);  // two studies, what was said
+            5);  // two studies with their heads, what was said
 }
 
 }  // namespace

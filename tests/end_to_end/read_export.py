@@ -13,7 +13,7 @@ exported, out = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 
 def from_csv():
     codebook = pandas.read_csv(exported / "codebook.csv")
-    for name in ("trials", "intervals", "exposures"):
+    for name in ("trials", "intervals", "exposures", "events"):
         data = pandas.read_csv(exported / f"{name}.csv")
         described = codebook[codebook.table == name]
         assert list(data.columns) == list(described.column), name

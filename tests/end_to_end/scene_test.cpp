@@ -48,6 +48,23 @@ class SceneCommands : public testing::Test {
   TemporaryFolder folder_;
 };
 
+// A stack that overflows is a death without a word.
+TEST_F(SceneCommands, AKeyOfThousandsOfPartsIsRefused) {
+  std::string key = "a";
+  for (int i = 1; i < 40000; ++i) key += ".a";
+  for (const std::string& text : {key + " = 1\n", "[" + key + "]\n"}) {
+    write(folder_ / "deep.toml", text);
+    for (const char* command : {"check", "plan", "press", "cost"}) {
+      const Outcome outcome = run({command, file("deep.toml")});
+      EXPECT_EQ(outcome.exit_code, 1) << command << outcome.err;
+      EXPECT_THAT(outcome.err, HasSubstr("deep.toml:1: a key of more parts than 64")) << command;
+    }
+  }
+  const Outcome outcome = run({"press", kScene, "--set", key + "=1"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("has more parts than 64"));
+}
+
 // Table 1 of Kuroda et al. 2003: rectum 282 nodes, 207 of them free; prostate 360 and 110.
 TEST_F(SceneCommands, PressGivesTheContractsFields) {
   const json pressed = as_json({"press", kScene, "--depth", "5 mm", "--steps", "2"});

@@ -1,5 +1,5 @@
 // BIDS 1.9, behavioural: participants, and for every sitting a table of answers, one of intervals, one of
-// what did not count, and the force as it was felt.
+// what did not count, one of what was noted, and the force as it was felt.
 #include <fmt/format.h>
 
 #include <map>
@@ -52,7 +52,7 @@ Table as_bids(Table table) {
   return table;
 }
 
-/// The rows of every sitting; in all three tables the first two columns name it.
+/// The rows of every sitting; in all tables the first two columns name it.
 std::map<SittingKey, Table> by_sitting(const Table& table) {
   std::map<SittingKey, Table> parts;
   for (const auto& row : table.rows) {
@@ -94,7 +94,7 @@ class Writer {
       : study_(study), facts_(facts), files_(files), task_(label_of(study.protocol().name)) {
     const auto answered = answered_trials(study);
     const auto unanswered = exposures(study);
-    for (const Table& table : checked_tables(study.protocol(), answered, unanswered))
+    for (const Table& table : checked_tables(study, answered, unanswered))
       tables_.push_back(by_sitting(table));
     felt_ = felt_by_sitting(answered, unanswered);
   }
@@ -122,7 +122,7 @@ class Writer {
   }
 
   void add_sitting(const SessionRow& session) {
-    constexpr std::array<const char*, 3> kAcquisition{"", "_acq-intervals", "_acq-exposures"};
+    constexpr std::array<const char*, 4> kAcquisition{"", "_acq-intervals", "_acq-exposures", "_acq-events"};
     const std::string subject = "sub-" + label_of(session.facts.examinee);
     const std::string sitting = fmt::format("{}_ses-{}", subject, session.number);
     const std::string stem = fmt::format("{}/ses-{}/beh/{}_task-{}", subject, session.number, sitting, task_);

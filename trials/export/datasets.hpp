@@ -19,16 +19,16 @@ struct ExportFacts {
       progress{};  // sittings written; may throw, then nothing is written
 };
 
-/// The three tables of a study, checked against their codebook. Throws std::runtime_error, with the first
+/// The four tables of a study, checked against their codebook. Throws std::runtime_error, with the first
 /// reasons, when one does not hold what the codebook promises.
-std::vector<Table> checked_tables(const Protocol& design, const std::vector<AnsweredTrial>& answered,
+std::vector<Table> checked_tables(const StudyFile& study, const std::vector<AnsweredTrial>& answered,
                                   const std::vector<Exposure>& exposures);
 
 // Each writes a folder that appears whole or not at all, after it passed the checks below. Throws
 // std::invalid_argument when the folder is taken or a name cannot be said in the format, std::system_error
 // when the disk refuses, std::runtime_error with the reasons when what was written does not pass.
 
-/// trials.csv, intervals.csv, exposures.csv and codebook.csv; beside other files.
+/// trials.csv, intervals.csv, exposures.csv, events.csv and codebook.csv; beside other files.
 void export_csv(const StudyFile& study, const std::filesystem::path& folder);
 /// study.json: every table with its codebook; beside other files.
 void export_json(const StudyFile& study, const std::filesystem::path& folder);

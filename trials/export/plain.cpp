@@ -82,7 +82,7 @@ ordered_json as_json(const Table& table) {
 }  // namespace
 
 void export_csv(const StudyFile& study, const std::filesystem::path& folder) {
-  std::vector<Table> tables = checked_tables(study.protocol(), answered_trials(study), exposures(study));
+  std::vector<Table> tables = checked_tables(study, answered_trials(study), exposures(study));
   tables.push_back(codebook_table(tables));
   base::NewFolder files(folder, Beside::Others);
   std::vector<std::string> problems;
@@ -103,7 +103,7 @@ void export_json(const StudyFile& study, const std::filesystem::path& folder) {
                          {"protocol_sha256", row.protocol_sha256},
                          {"software_version", row.software_version},
                          {"description", describe_dataset(study)}};
-  for (const Table& table : checked_tables(study.protocol(), answered_trials(study), exposures(study)))
+  for (const Table& table : checked_tables(study, answered_trials(study), exposures(study)))
     object[table.name] = as_json(table);
   base::NewFolder files(folder, Beside::Others);
   files.add("study.json", object.dump(1) + "\n");

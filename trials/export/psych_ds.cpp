@@ -72,7 +72,7 @@ std::string readme(const StudyFile& study, const std::vector<Table>& tables, con
 }  // namespace
 
 void export_psych_ds(const StudyFile& study, const ExportFacts& facts, const std::filesystem::path& folder) {
-  std::vector<Table> tables = checked_tables(study.protocol(), answered_trials(study), exposures(study));
+  std::vector<Table> tables = checked_tables(study, answered_trials(study), exposures(study));
   if (tables.front().rows.empty())
     throw std::invalid_argument(
         "the study holds no answers yet; Psych-DS wants at least one data file with rows");

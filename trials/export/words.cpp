@@ -101,10 +101,11 @@ void refuse_problems(std::string_view what, const std::vector<std::string>& prob
                   problems.size() > kShown ? fmt::format(" (and {} more)", problems.size() - kShown) : ""));
 }
 
-std::vector<Table> checked_tables(const Protocol& design, const std::vector<AnsweredTrial>& answered,
+std::vector<Table> checked_tables(const StudyFile& study, const std::vector<AnsweredTrial>& answered,
                                   const std::vector<Exposure>& exposures) {
+  const Protocol& design = study.protocol();
   std::vector<Table> tables{trial_table(design, answered), interval_table(design, answered),
-                            exposure_table(design, exposures)};
+                            exposure_table(design, exposures), event_table(study.sessions(), study.events())};
   std::vector<std::string> problems;
   for (const Table& table : tables) check_table(table, problems);
   refuse_problems("the tables", problems);

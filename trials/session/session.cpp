@@ -24,6 +24,11 @@ void commit(Session::State& state, Write write) {
   });
 }
 
+/// After a commit that added to the chain: it is not in the write-ahead log alone when this returns.
+void settle(Session::State& state) {
+  guarded(state.study.path(), [&] { state.stores.settle(); });
+}
+
 }  // namespace
 
 void Session::State::expect(std::initializer_list<Phase> accepted, std::string_view call) const {
@@ -182,6 +187,7 @@ void Session::interrupt(const IntervalRecord& felt_so_far, std::string_view reas
   });
   state.pending.front() = next;
   state.start_trial();
+  settle(state);
 }
 
 void Session::answer(int response, std::optional<double> response_time, std::string_view onset_utc) {
@@ -210,10 +216,12 @@ void Session::answer(int response, std::optional<double> response_time, std::str
   state.pending.erase(state.pending.begin());
   if (next) state.pending.push_back(*next);
   state.start_trial();
+  settle(state);
 }
 
 void Session::note(std::string_view kind, std::string_view text) {
   commit(*state_, [&] { state_->append_event(kind, text); });
+  settle(*state_);
 }
 
 std::string_view to_string(Phase phase) {

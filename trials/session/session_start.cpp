@@ -7,6 +7,7 @@
 #include "trials/session/session_state.hpp"
 #include "trials/study/answered_trials.hpp"
 #include "trials/study/examinee_code.hpp"
+#include "trials/study/resumption.hpp"
 #include "trials/study/sitting_state.hpp"
 #include "trials/study/verify.hpp"
 
@@ -127,7 +128,7 @@ void Session::State::resume(const SessionRow& unfinished, const SessionFacts& no
   resumed = true;
   pending = unanswered(stores, row.id);
   procedure = replayed(stores, protocol, row.id);
-  append_event(event_kind::kResumed, fmt::format("palpate {} on {}", now.software_version, now.machine));
+  append_event(event_kind::kResumed, resumed_text(now.software_version, now.machine));
   // Whatever was felt of the trial that was cut off must not help with its answer.
   if (!presentations_of(stores.presentations.of_session(row.id), pending.front()).empty())
     pending.front() = draw_again();
@@ -156,6 +157,7 @@ Session start_session(StudyFile& study, const Protocol& protocol, const SessionF
     else
       state->begin(facts, sessions);
     transaction.commit();
+    study.stores().settle();
   });
   return Session(std::move(state));
 }

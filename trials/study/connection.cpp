@@ -19,10 +19,12 @@ std::string uri(const std::filesystem::path& file, std::string_view parameters) 
   return encoded + "?" + std::string(parameters);
 }
 
-bool has_write_ahead_log(const std::filesystem::path& file) {
-  std::error_code error;
-  const auto size = std::filesystem::file_size(file.string() + "-wal", error);
-  return !error && size > 0;
+/// Whether somebody may have it open, or was killed while writing: an open study's log can be empty, but its
+/// index is there.
+bool may_be_written(const std::filesystem::path& file) {
+  std::error_code none;
+  return write_ahead_log_size(file) > 0 || (std::filesystem::exists(file.string() + "-wal", none) &&
+                                            std::filesystem::exists(file.string() + "-shm", none));
 }
 
 /// A write that the drive refuses takes nothing back of what was committed; of a read nothing is known.
@@ -44,8 +46,23 @@ SQLite::Database open_for_writing(const std::filesystem::path& file) {
 }
 
 SQLite::Database open_for_reading(const std::filesystem::path& file) {
-  const std::string name = uri(file, has_write_ahead_log(file) ? "mode=ro" : "mode=ro&immutable=1");
+  const std::string name = uri(file, may_be_written(file) ? "mode=ro" : "mode=ro&immutable=1");
   return {name, SQLite::OPEN_READONLY | SQLite::OPEN_URI, kWaitForOtherWriters};
+}
+
+std::uintmax_t write_ahead_log_size(const std::filesystem::path& file) {
+  std::error_code error;
+  const auto size = std::filesystem::file_size(file.string() + "-wal", error);
+  return error ? 0 : size;
+}
+
+void fold_in_log(SQLite::Database& database) {
+  sqlite3* handle = database.getHandle();
+  database.setBusyTimeout(0);  // a reader is not waited for: what it holds back is folded in the next time
+  const int code = sqlite3_wal_checkpoint_v2(handle, nullptr, SQLITE_CHECKPOINT_TRUNCATE, nullptr, nullptr);
+  database.setBusyTimeout(kWaitForOtherWriters);
+  if (code != SQLITE_OK && code != SQLITE_BUSY && code != SQLITE_LOCKED)
+    throw SQLite::Exception(handle, code);
 }
 
 void rethrow(const SQLite::Exception& error, const std::filesystem::path& file) {

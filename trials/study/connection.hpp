@@ -17,6 +17,13 @@ SQLite::Database open_for_writing(const std::filesystem::path& file);
 /// do.
 SQLite::Database open_for_reading(const std::filesystem::path& file);
 
+/// Bytes of the write-ahead log beside a study file; 0 where there is none.
+std::uintmax_t write_ahead_log_size(const std::filesystem::path& file);
+
+/// Puts all that was committed into the database itself and empties the write-ahead log, unless a reader
+/// still needs it. Outside any transaction.
+void fold_in_log(SQLite::Database& database);
+
 /// What SQLite says, with the file and what it means: bad input when the file is damaged or no database
 /// (std::invalid_argument), else a failure of the machine (std::runtime_error).
 [[noreturn]] void rethrow(const SQLite::Exception& error, const std::filesystem::path& file);

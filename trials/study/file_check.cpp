@@ -72,8 +72,9 @@ void check_is_study_file(const std::filesystem::path& file) {
   // With a write-ahead log beside it the last pages may still be there.
   std::error_code none;
   const auto log = std::filesystem::file_size(file.string() + "-wal", none);
-  if (size < claimed && (none || log == 0))
-    refuse(file, fmt::format("is cut short: {} bytes of {}", size, claimed));
+  const auto size_now = std::filesystem::file_size(file);  // after the log's: it may just have been folded in
+  if (size_now < claimed && (none || log == 0))
+    refuse(file, fmt::format("is cut short: {} bytes of {}", size_now, claimed));
 }
 
 void check_writable(const std::filesystem::path& file) {

@@ -10,6 +10,7 @@
 #include "trials/study/chain_parts.hpp"
 #include "trials/study/examinee_code.hpp"
 #include "trials/study/file_check.hpp"
+#include "trials/study/head_file.hpp"
 #include "trials/study/new_study.hpp"
 #include "trials/study/stores.hpp"
 #include "trials/study/verify.hpp"
@@ -183,13 +184,16 @@ void merge_studies(const std::filesystem::path& out, const std::vector<MergeSour
     for (const Source& source : sources) merger.add(source);
     merger.finish(study);
   };
+  Receipt receipt;
   const auto inspect = [&](const std::filesystem::path& aside) {
     const VerifyReport report = verify_study(aside);
+    receipt = report.receipt;
     if (!report.problems.empty())
       throw std::runtime_error(fmt::format("{}: the joined file would not be whole, and was not made: {}",
                                            out.string(), report.problems.front()));
   };
   write_new_study(out, fill, inspect);
+  write_head(out, {study.uuid, receipt});
 }
 
 }  // namespace palpate::trials

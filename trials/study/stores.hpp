@@ -6,6 +6,7 @@
 #include "trials/study/answer_store.hpp"
 #include "trials/study/connection.hpp"
 #include "trials/study/event_store.hpp"
+#include "trials/study/head_file.hpp"
 #include "trials/study/ledger_store.hpp"
 #include "trials/study/presentation_store.hpp"
 #include "trials/study/session_lock.hpp"
@@ -38,6 +39,13 @@ struct StudyFile::Stores {
 
   /// Adds an event to the chain; inside a transaction of the caller's.
   void append(const EventRow& event) { events.add(ledger.append(study, canonical_text(event)), event); }
+
+  /// After a commit that added to the chain, before anybody is told that it is saved: what was committed no
+  /// longer hangs on the write-ahead log alone, and the head beside the file tells how far the chain went.
+  void settle() {
+    fold_in_log(database);
+    write_head(path, {study.uuid, ledger.head(study)});
+  }
 };
 
 }  // namespace palpate::trials

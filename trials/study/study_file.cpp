@@ -7,6 +7,7 @@
 
 #include "base/clock/utc.hpp"
 #include "trials/study/file_check.hpp"
+#include "trials/study/lost_answers.hpp"
 #include "trials/study/new_study.hpp"
 #include "trials/study/schema.hpp"
 #include "trials/study/stores.hpp"
@@ -91,6 +92,7 @@ void StudyFile::add_event(const EventRow& event) {
     SQLite::Transaction transaction(stores_->database, SQLite::TransactionBehavior::IMMEDIATE);
     stores_->append(event);
     transaction.commit();
+    stores_->settle();
   });
 }
 
@@ -102,13 +104,18 @@ void check_study(const std::filesystem::path& path, const Protocol& protocol) {
 StudyFile open_study(const std::filesystem::path& path, const Protocol& protocol,
                      std::string_view software_version) {
   check_study(path, protocol);
-  if (!std::filesystem::exists(path)) {
+  const bool is_new = !std::filesystem::exists(path);
+  if (is_new) {
     const StudyRow study = study_of(protocol, software_version);
     write_new_study(path, [&](SQLite::Database& database) { StudyStore(database).add(study); });
   }
   return guarded(path, [&] {
     auto stores = std::make_unique<StudyFile::Stores>(path, open_for_writing(path));
     migrate(stores->database);
+    if (is_new)
+      stores->settle();
+    else if (const auto lost = lost_after_head(*stores, read_head(path)))
+      throw std::invalid_argument(*lost);
     return StudyFile(std::move(stores));
   });
 }

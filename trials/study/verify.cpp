@@ -9,6 +9,7 @@
 #include "base/files/sha256.hpp"
 #include "trials/study/chain_parts.hpp"
 #include "trials/study/file_check.hpp"
+#include "trials/study/lost_answers.hpp"
 #include "trials/study/schema.hpp"
 #include "trials/study/stores.hpp"
 #include "trials/study/verify_session.hpp"
@@ -111,10 +112,18 @@ std::vector<MergedPart> read_parts(const std::vector<EventRow>& events, FirstPro
   }
 }
 
+/// What verify_study() is to look at.
+struct Asked {
+  const std::filesystem::path& path;
+  const std::optional<Receipt>& receipt;
+  VerifyScope scope;
+  HeadFile beside;  // read before the study: a sitting that goes on meanwhile only adds
+};
+
 /// All that needs the tables and the protocol to be readable.
-void check_rows(const std::filesystem::path& path, SQLite::Database database,
-                const std::optional<Receipt>& receipt, VerifyScope scope, VerifyReport& report,
+void check_rows(const Asked& asked, SQLite::Database database, VerifyReport& report,
                 FirstProblems& problems) {
+  const auto& [path, receipt, scope, beside] = asked;
   check_database(database, scope, problems);
   check_identity(StudyStore(database).get(), problems);
   const StudyFile::Stores stores(path, std::move(database));
@@ -134,7 +143,20 @@ void check_rows(const std::filesystem::path& path, SQLite::Database database,
   check_chain(stores, chains, texts, problems);
   check_parts(chains, stores.ledger.all(), problems);
   if (receipt) check_receipt(stores, chains, *receipt, problems);
+  if (const auto lost = lost_after_head(stores, beside)) problems.add("{}", *lost);
   report.receipt = stores.ledger.head(stores.study);
+}
+
+std::vector<std::string> notes_on(const std::filesystem::path& path, const HeadFile& beside) {
+  std::vector<std::string> notes;
+  const std::string name = path.filename().string();
+  if (const auto bytes = write_ahead_log_size(path); bytes > 0)
+    notes.push_back(fmt::format(
+        "{0}-wal ({1} bytes) holds what was written last and was read with it: whoever copies {0} copies both",
+        name, bytes));
+  if (beside.state == HeadFile::State::Unreadable)
+    notes.push_back(fmt::format("{}.head cannot be read by this user and was not compared", name));
+  return notes;
 }
 
 }  // namespace
@@ -144,13 +166,15 @@ VerifyReport verify_study(const std::filesystem::path& path, const std::optional
   check_is_study_file(path);
   VerifyReport report;
   FirstProblems problems;
+  const Asked asked{path, receipt, scope, read_head(path)};
+  report.notes = notes_on(path, asked.beside);
   guarded(path, [&] {
     SQLite::Database database = open_for_reading(path);
     database.exec("BEGIN");  // one snapshot: a sitting may go on meanwhile
     const auto differences = schema_differences(database);
     for (const std::string& difference : differences) problems.add("{}", difference);
     try {
-      check_rows(path, std::move(database), receipt, scope, report, problems);
+      check_rows(asked, std::move(database), report, problems);
     } catch (const SQLite::Exception& error) {
       if (differences.empty()) throw;
       problems.add("schema: the rest was not looked at ({})", error.what());

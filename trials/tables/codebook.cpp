@@ -211,6 +211,23 @@ std::vector<Column> exposure_columns(const Protocol& protocol) {
   return columns;
 }
 
+std::vector<Column> event_columns() {
+  Column when = text("event_utc", "Time of the event", "When it was noted");
+  when.kind = Kind::Utc;
+  return {
+      participant(),
+      sitting(),
+      missing_too(question()),
+      text("event", "Event",
+           "What was noted apart from answers: strategy (what the examinee wrote at the end), early key (a "
+           "key pressed before the question), interrupted, resumed, or what another program added"),
+      missing_too(text("event_text", "Text of the event",
+                       "What was noted, in the examinee's or the program's words; free text can tell who "
+                       "somebody is, so read it before it is shared")),
+      when,
+      run_mode()};
+}
+
 std::string pattern_of(const Column& column) {
   if (!column.pattern.empty() || column.levels.empty()) return column.pattern;
   std::string pattern;

@@ -34,11 +34,12 @@ struct Column {
 /// A column of whole numbers, none below `least`.
 Column whole_column(std::string name, std::string title, std::string description, double least);
 
-// The columns of the three tables, for a study of this protocol. A name that stands in several of them is
+// The columns of the tables, for a study of this protocol. A name that stands in several of them is
 // described in the same words.
 std::vector<Column> trial_columns(const Protocol& protocol);
 std::vector<Column> interval_columns(const Protocol& protocol);
 std::vector<Column> exposure_columns(const Protocol& protocol);
+std::vector<Column> event_columns();
 
 /// The pattern of a column's cells: its own, or that of its levels (without the lengths of its numbers);
 /// empty where there is none.

@@ -1,5 +1,7 @@
 #include "trials/tables/table.hpp"
 
+#include <algorithm>
+
 #include "trials/tables/delimited.hpp"
 
 namespace palpate::trials {
@@ -78,6 +80,12 @@ std::vector<Value> answer_row(const Protocol& design, const AnsweredTrial& answe
   return row;
 }
 
+/// Told by the other tables, or of the chain's alone.
+bool told_elsewhere(std::string_view kind) {
+  return kind == event_kind::kBegun || kind == event_kind::kDrawn || kind == event_kind::kDrawnAgain ||
+         kind == event_kind::kEnded || kind == event_kind::kVoided;
+}
+
 }  // namespace
 
 Table trial_table(const Protocol& design, const std::vector<AnsweredTrial>& answered) {
@@ -104,6 +112,19 @@ Table exposure_table(const Protocol& design, const std::vector<Exposure>& exposu
     row.push_back(why_not_counted(presentation));
     row.push_back(run_mode(*session));
     table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+Table event_table(const std::vector<SessionRow>& sessions, const std::vector<EventRow>& events) {
+  Table table{.name = "events", .columns = event_columns()};
+  for (const EventRow& event : events) {
+    const auto session = std::ranges::find_if(
+        sessions, [&](const SessionRow& row) { return event.session && *event.session == row.id; });
+    if (session == sessions.end() || told_elsewhere(event.kind)) continue;
+    table.rows.push_back({session->facts.examinee, number(session->number),
+                          event.trial ? number(*event.trial) : Value(), plain_text(event.kind),
+                          plain_text(event.text), event.utc, run_mode(*session)});
   }
   return table;
 }

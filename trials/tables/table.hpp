@@ -30,4 +30,8 @@ Table interval_table(const Protocol& design, const std::vector<AnsweredTrial>& a
 /// One row a presentation that did not count: explored too little, or of a trial that was cut off.
 Table exposure_table(const Protocol& design, const std::vector<Exposure>& exposures);
 
+/// One row an event of a sitting that no other table tells of: what the examinee wrote at the end, early keys,
+/// interruptions. Without what is there for the chain alone (begun, drawn), the end, and voided trials.
+Table event_table(const std::vector<SessionRow>& sessions, const std::vector<EventRow>& events);
+
 }  // namespace palpate::trials

@@ -49,7 +49,12 @@ void run_mesh(const MeshOptions& options) {
 
 void add_mesh(CLI::App& command) {
   auto options = std::make_shared<MeshOptions>();
-  command.add_option("file", options->file, "Gmsh MSH 2.2 or 4.1 (text or binary) or VTU")->required();
+  command
+      .add_option(
+          "file", options->file,
+          "Gmsh MSH 2.2 or 4.1 (text or binary) or VTU; what else the installed gmsh reads (MSH 1, VTK, "
+          "UNV, MED, Medit, Abaqus INP, Nastran)")
+      ->required();
   command.add_option("--unit", options->unit, "Unit of the file's coordinates")
       ->required()
       ->check(CLI::IsMember({"m", "cm", "mm", "um"}));

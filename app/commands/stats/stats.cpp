@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -15,11 +14,13 @@
 #include "analysis/description/statistic.hpp"
 #include "analysis/statistics/psychometric/merge_bootstrap.hpp"
 #include "analysis/statistics/statistics.hpp"
+#include "app/command_line/bounded_json.hpp"
 #include "app/command_line/output.hpp"
 #include "app/commands/stats/read_csv.hpp"
 #include "app/commands/stats/statistic_help.hpp"
 #include "app/commands/stats/stats_batch.hpp"
 #include "app/study/power_simulation.hpp"
+#include "base/files/read_file.hpp"
 
 namespace palpate::app {
 namespace {
@@ -111,10 +112,14 @@ void add_batch(CLI::App& stats) {
 }
 
 nlohmann::ordered_json read_part(const std::string& file) {
-  std::ifstream in(file);
-  if (!in) throw std::invalid_argument(file + ": cannot be opened: no such file, or no right to read it");
-  auto part = nlohmann::ordered_json::parse(in, nullptr, false);
-  if (part.is_object()) return part;
+  const std::string text = base::read_file(file, "what --shard K/N --format json printed");
+  try {
+    auto part = parse_bounded_json(text);
+    if (part.is_object()) return part;
+  } catch (const nlohmann::json::parse_error&) {
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("{}: {}", file, error.what()));
+  }
   throw std::invalid_argument(file + ": no JSON object; accepted: what --shard K/N --format json printed");
 }
 

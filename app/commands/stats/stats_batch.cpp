@@ -15,6 +15,7 @@
 #include "analysis/description/statistic.hpp"
 #include "analysis/statistics/statistics.hpp"
 #include "analysis/words/words.hpp"
+#include "app/command_line/bounded_json.hpp"
 #include "app/command_line/output.hpp"
 #include "app/commands/stats/read_csv.hpp"
 
@@ -48,15 +49,6 @@ analysis::DataTable table_of(const ordered_json& data) {
   for (std::size_t row = 0; row < table.columns[0].size(); ++row)
     table.lines.push_back(static_cast<long>(row) + 1);
   return table;
-}
-
-ordered_json parsed(const std::string& text) {
-  // What is deeper than any argument overflows the stack when it is written out.
-  static constexpr int kDeepest = 32;
-  return ordered_json::parse(text, [](int depth, ordered_json::parse_event_t, const ordered_json&) {
-    if (depth <= kDeepest) return true;
-    throw std::invalid_argument(fmt::format("brackets more than {} deep; accepted: fewer", kDeepest));
-  });
 }
 
 // The name that a line gives under "procedure", as it has been from the first version, or under "statistic".
@@ -99,7 +91,7 @@ ordered_json refusal(long line, const ordered_json& asked, const std::string& wh
 ordered_json answer_or_refusal(long line, const std::string& text) {
   ordered_json asked;
   try {
-    asked = parsed(text);
+    asked = parse_bounded_json(text);
     return answer(asked);
   } catch (const nlohmann::json::exception& error) {
     return refusal(line, asked, fmt::format("no JSON as expected: {}", error.what()));

@@ -26,6 +26,7 @@ void print_text(const VerifyOptions& options, const trials::VerifyReport& report
                part.site.empty() ? "" : fmt::format(" (site {})", part.site), part.sessions,
                trials::to_string(part.receipt));
   for (const std::string& problem : report.problems) fmt::print("  {}\n", problem);
+  for (const std::string& note : report.notes) fmt::print("  note: {}\n", note);
   if (report.problems.empty())
     fmt::print("whole: database, schema, hashes, chain, order and traces fit together{}\n",
                options.receipt.empty() ? "" : ", and so does the receipt");
@@ -44,6 +45,7 @@ void run_verify(const VerifyOptions& options) {
     print_json({{"study", options.study},
                 {"whole", report.problems.empty()},
                 {"problems", report.problems},
+                {"notes", report.notes},
                 {"sessions", report.sessions},
                 {"answers", report.answers},
                 {"voided", report.voided},

@@ -153,7 +153,7 @@ class Socket final : public PageSocket, public std::enable_shared_from_this<Sock
 };
 
 /// Requests on one connection, until it closes or becomes a WebSocket.
-class Visit : public std::enable_shared_from_this<Visit> {
+class Visit final : public Visitor, public std::enable_shared_from_this<Visit> {
  public:
   Visit(tcp::socket socket, Door door, std::function<void(std::shared_ptr<PageSocket>)> opened)
       : stream_(std::move(socket)), door_(std::move(door)), opened_(std::move(opened)) {}
@@ -167,6 +167,11 @@ class Visit : public std::enable_shared_from_this<Visit> {
                      [self = shared_from_this()](beast::error_code error, std::size_t) {
                        if (!error) self->respond();
                      });
+  }
+
+  void send_away() override {
+    beast::error_code ignored;
+    stream_.socket().close(ignored);
   }
 
  private:
@@ -209,9 +214,11 @@ class Visit : public std::enable_shared_from_this<Visit> {
 
 }  // namespace
 
-void serve_connection(tcp::socket socket, Door door,
-                      std::function<void(std::shared_ptr<PageSocket>)> opened) {
-  std::make_shared<Visit>(std::move(socket), std::move(door), std::move(opened))->read();
+std::weak_ptr<Visitor> serve_connection(tcp::socket socket, Door door,
+                                        std::function<void(std::shared_ptr<PageSocket>)> opened) {
+  const auto visit = std::make_shared<Visit>(std::move(socket), std::move(door), std::move(opened));
+  visit->read();
+  return visit;
 }
 
 }  // namespace palpate::app

@@ -34,9 +34,16 @@ struct Door {
   std::uint16_t port = 0;
 };
 
+/// A connection that asks for files, or for nothing at all; gone once it is a WebSocket or closed.
+class Visitor {
+ public:
+  virtual ~Visitor() = default;
+  virtual void send_away() = 0;  // closes it
+};
+
 /// Answers one browser connection: files of the page to who may have them, and hands over an opened
 /// WebSocket. Everybody else gets a refusal that says nothing about the session.
-void serve_connection(boost::asio::ip::tcp::socket socket, Door door,
-                      std::function<void(std::shared_ptr<PageSocket>)> opened);
+std::weak_ptr<Visitor> serve_connection(boost::asio::ip::tcp::socket socket, Door door,
+                                        std::function<void(std::shared_ptr<PageSocket>)> opened);
 
 }  // namespace palpate::app

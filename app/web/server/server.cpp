@@ -4,7 +4,10 @@
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core.hpp>
+#include <chrono>
+#include <deque>
 #include <stdexcept>
 
 #include "app/web/server/access.hpp"
@@ -15,16 +18,27 @@ namespace palpate::app {
 namespace asio = boost::asio;
 using asio::ip::tcp;
 
+namespace {
+
+constexpr std::size_t kMostVisitors = 24;  // a browser opens 6
+constexpr auto kRest = std::chrono::milliseconds(100);
+
+}  // namespace
+
 struct Server::State : std::enable_shared_from_this<Server::State> {
   State(asio::io_context& io, const Page& served, std::string of_link, PageEvents handlers)
-      : acceptor(io), page(served), events(std::move(handlers)), token(std::move(of_link)) {}
+      : acceptor(io), rest(io), page(served), events(std::move(handlers)), token(std::move(of_link)) {}
 
   void listen(std::uint16_t wanted);
   void accept();
+  void accept_later();
+  void make_room();
   void serve(tcp::socket socket);
   void take(const std::shared_ptr<PageSocket>& opened);
 
   tcp::acceptor acceptor;
+  asio::steady_timer rest;                      // after a connection that could not be accepted
+  std::deque<std::weak_ptr<Visitor>> visitors;  // the oldest first
   const Page& page;
   PageEvents events;
   std::string token;
@@ -50,19 +64,37 @@ void Server::State::listen(std::uint16_t wanted) {
 void Server::State::accept() {
   acceptor.async_accept([self = shared_from_this()](boost::system::error_code error, tcp::socket socket) {
     if (error == asio::error::operation_aborted) return;
-    if (!error) self->serve(std::move(socket));
+    if (error) return self->accept_later();
+    self->serve(std::move(socket));
     self->accept();
   });
+}
+
+/// Without a descriptor to be had, accepting fails at once, again and again: the haptic loop needs the core.
+void Server::State::accept_later() {
+  rest.expires_after(kRest);
+  rest.async_wait([self = shared_from_this()](boost::system::error_code error) {
+    if (!error && self->acceptor.is_open()) self->accept();
+  });
+}
+
+/// Makes room for one more connection: whoever has been there longest goes.
+void Server::State::make_room() {
+  std::erase_if(visitors, [](const std::weak_ptr<Visitor>& visitor) { return visitor.expired(); });
+  if (visitors.size() < kMostVisitors) return;
+  if (const auto oldest = visitors.front().lock()) oldest->send_away();
+  visitors.pop_front();
 }
 
 void Server::State::serve(tcp::socket socket) {
   boost::system::error_code ignored;
   socket.set_option(tcp::no_delay(true), ignored);
+  make_room();
   const auto weak = weak_from_this();
-  serve_connection(std::move(socket), {.page = page, .token = token, .port = port},
-                   [weak](const std::shared_ptr<PageSocket>& opened) {
-                     if (const auto self = weak.lock()) self->take(opened);
-                   });
+  visitors.push_back(serve_connection(std::move(socket), {.page = page, .token = token, .port = port},
+                                      [weak](const std::shared_ptr<PageSocket>& opened) {
+                                        if (const auto self = weak.lock()) self->take(opened);
+                                      }));
 }
 
 /// A page's WebSocket has opened: the one before it, if any, is sent away.
@@ -102,6 +134,7 @@ Server::Server(asio::io_context& context, const Page& page, std::uint16_t port, 
 Server::~Server() {
   boost::system::error_code ignored;
   state_->acceptor.close(ignored);
+  state_->rest.cancel(ignored);
 }
 
 std::string Server::link() const {

@@ -265,10 +265,10 @@ TEST(Analyse, TellsThePlanAndWhatDeviatesFromIt) {
   const StudyReport without = analyse(table);
   EXPECT_THAT(without.plan, Contains(HasSubstr("No analysis plan was frozen")));
   EXPECT_TRUE(without.deviations.empty());
-  table.frozen_plan = {.sha256 = "abc", .frozen_utc = "2003-12-01T08:00:00Z", .software_version = "0.1.0"};
+  table.frozen_plans = {{.sha256 = "abc", .frozen_utc = "2003-12-01T08:00:00Z", .software_version = "0.1.0"}};
   EXPECT_THAT(analyse(table).plan,
               Contains(HasSubstr("frozen in the study file on 2003-12-01T08:00:00Z (SHA-256 abc).")));
-  table.frozen_plan->frozen_utc = "2003-12-04T08:00:00Z";
+  table.frozen_plans[0].frozen_utc = "2003-12-04T08:00:00Z";
   EXPECT_THAT(analyse(table).plan, Contains(HasSubstr("after the first of these sessions had begun")));
 
   table.looks.resize(2);

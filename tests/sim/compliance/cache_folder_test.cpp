@@ -2,7 +2,9 @@
 
 #include <cstdlib>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "sim/compliance/cache.hpp"
 
@@ -45,6 +47,24 @@ TEST(CacheFolder, IsNoneWithoutAHome) {
   const Variable xdg("XDG_CACHE_HOME", nullptr);
   const Variable own("PALPATE_CACHE", nullptr);
   EXPECT_TRUE(ComplianceCache::default_folder().empty());
+}
+
+TEST(CacheSize, IsWholeMebibytesOrGibibytes) {
+  {
+    const Variable none("PALPATE_CACHE_SIZE", nullptr);
+    EXPECT_EQ(ComplianceCache::size_asked_for(), std::uintmax_t{2} << 30);
+  }
+  for (const auto& [text, bytes] :
+       {std::pair{"500 MiB", std::uintmax_t{500} << 20}, std::pair{"3GiB", std::uintmax_t{3} << 30},
+        std::pair{"0 MiB", std::uintmax_t{0}}}) {
+    const Variable asked("PALPATE_CACHE_SIZE", text);
+    EXPECT_EQ(ComplianceCache::size_asked_for(), bytes) << text;
+  }
+  for (const char* text :
+       {"2", "2 GB", "-1 MiB", "1.5 GiB", "GiB", "2  GiB", "99999999999999 GiB", "2 GiB x"}) {
+    const Variable asked("PALPATE_CACHE_SIZE", text);
+    EXPECT_THROW(ComplianceCache::size_asked_for(), std::invalid_argument) << text;
+  }
 }
 
 }  // namespace

@@ -32,7 +32,9 @@ TEST(Refusals, MissingFile) {
 }
 
 TEST(Refusals, EmptyAndForeign) {
-  const std::string accepted = "Gmsh MSH 2.2 or 4.1 (text or binary) and VTU are accepted";
+  const std::string accepted =
+      "Gmsh MSH 2.2 or 4.1 (text or binary) and VTU are accepted, and with Gmsh installed MSH 1, legacy VTK, "
+      "UNV, MED, Medit, Abaqus INP and Nastran, by the file name's ending";
   EXPECT_EQ(refusal(""), "body.msh: the file is empty; " + accepted);
   EXPECT_EQ(refusal(" \r\n\n"), "body.msh: the file is empty; " + accepted);
   EXPECT_EQ(refusal("solid organ\nfacet"), "body.msh:1: found 'solid organ' at the start; " + accepted);

@@ -81,6 +81,22 @@ TEST_F(Datasets, KeepAwkwardTextReadable) {
               HasSubstr("\t1\tthe \"alarm\" rang; \\ \"twice\\ \", and \xEF\xBF\xBD a door\n"));
 }
 
+TEST_F(Datasets, HaveWhatExamineesWrote) {
+  export_csv(study_, folder_ / "csv");
+  export_json(study_, folder_ / "json");
+  export_bids(study_, facts_, folder_ / "bids");
+  export_psych_ds(study_, facts_, folder_ / "psych-ds");
+  const std::string csv = "P-01,2,n/a,strategy,\"the \"\"softer\"\" one, I think\",";
+  EXPECT_THAT(test::read(folder_ / "csv/events.csv"), HasSubstr(csv));
+  EXPECT_THAT(test::read(folder_ / "csv/codebook.csv"), HasSubstr("events,event_text,Text of the event,"));
+  EXPECT_THAT(test::read(folder_ / "psych-ds/data/study-kuroda2003_description-events_data.csv"),
+              HasSubstr(csv));
+  const json events = json::parse(test::read(folder_ / "json/study.json")).at("events").at("rows");
+  EXPECT_EQ(events.back().at("event_text"), "the \"softer\" one, I think");
+  EXPECT_THAT(test::read(folder_ / "bids/sub-P01/ses-2/beh/sub-P01_ses-2_task-kuroda2003_acq-events_beh.tsv"),
+              HasSubstr("sub-P01\tses-2\tn/a\tstrategy\tthe \"softer\" one, I think\t"));
+}
+
 TEST_F(Datasets, HaveTheForceOfEveryPresentation) {
   export_bids(study_, facts_, folder_ / "out");
   const auto sidecar =

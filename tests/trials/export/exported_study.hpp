@@ -26,6 +26,7 @@ class ExportedStudy : public testing::Test {
     }
     Session again = start_session(study_, protocol_, facts_of("P-01"));
     answer_all(again);
+    again.note(event_kind::kStrategy, "the \"softer\" one,\nI think");
     Session other = start_session(study_, protocol_, facts_of("Q2"));
     answer_all(other);
     Session unfinished = start_session(study_, protocol_, facts_of("R3"));

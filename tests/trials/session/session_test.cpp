@@ -121,7 +121,8 @@ TEST_F(SessionTest, EndsWithEveryTrialAnswered) {
   test::answer_all(session);
   EXPECT_TRUE(session.pending().empty());
   EXPECT_EQ(session.view().phase, Phase::Finished);
-  EXPECT_EQ(session.view().block, session.view().blocks);
+  EXPECT_EQ(session.view().number, 0);
+  EXPECT_EQ(session.view().questions, 8);
   EXPECT_TRUE(study_->sessions().at(0).ended_utc.has_value());
   EXPECT_TRUE(verify_study(path_, session.receipt()).problems.empty());
 }
@@ -257,7 +258,7 @@ TEST_F(SessionTest, TheViewTellsNothingOfTheStimulus) {
     Session& session = start(test::facts_of("P0" + std::to_string(seed), RunMode::Study, seed));
     const SessionView view = session.view();
     stimuli.insert(session.stimulus());
-    seen.emplace(view.phase, view.interval, view.block, view.question, std::string(view.hint));
+    seen.emplace(view.phase, view.interval, view.number, view.question, std::string(view.hint));
   }
   EXPECT_GT(stimuli.size(), 1U);  // else the test would show nothing
   EXPECT_EQ(seen.size(), 1U);

@@ -48,12 +48,12 @@ TEST_F(StudyFileTest, IsOpenedAgainAndStaysTheSameStudy) {
   EXPECT_EQ(open().study().uuid, uuid);
 }
 
-TEST_F(StudyFileTest, NothingButTheFileIsLeftWhenItIsClosed) {
+TEST_F(StudyFileTest, TheFileAndItsHeadAreLeftWhenItIsClosed) {
   open();
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder_.path()))
     names.push_back(entry.path().filename());
-  EXPECT_THAT(names, testing::ElementsAre("study.db"));
+  EXPECT_THAT(names, testing::UnorderedElementsAre("study.db", "study.db.head"));
 }
 
 TEST_F(StudyFileTest, UsesStrictTablesAndAWriteAheadLog) {

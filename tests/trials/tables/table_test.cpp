@@ -1,5 +1,6 @@
 #include "trials/tables/table.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "tests/trials/support/protocols.hpp"
@@ -63,6 +64,22 @@ TEST_F(TableTest, HoldEveryAnswerEveryIntervalAndEveryOtherExposure) {
     for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size()) << table.name;
   for (const Table& table : {intervals(), not_counted})
     for (const auto& row : table.rows) EXPECT_EQ(std::get<std::string>(row.back()), "study") << table.name;
+}
+
+TEST_F(TableTest, TellWhatExamineesWroteAndWhatCutThemOff) {
+  Session session = start_session(study_, protocol_, test::facts_of("P02"));
+  session.note(event_kind::kEarlyKey, "2");
+  test::answer_all(session);
+  session.note(event_kind::kStrategy, "I pushed hard,\nand waited");
+  const Table events = event_table(study_.sessions(), study_.events());
+  EXPECT_EQ(names(events), (std::vector<std::string>{"participant_id", "session_id", "trial", "event",
+                                                     "event_text", "event_utc", "run_mode"}));
+  std::vector<std::string> lines;
+  for (const auto& row : events.rows)
+    lines.push_back(fmt::format("{} {} {} {}", cell_text(row[0]), cell_text(row[2]), cell_text(row[3]),
+                                cell_text(row[4])));
+  EXPECT_EQ(lines, (std::vector<std::string>{"P01 1 interrupted test", "P02 1 early key 2",
+                                             "P02 n/a strategy I pushed hard, and waited"}));
 }
 
 TEST_F(TableTest, AreWrittenAsRfc4180) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace palpate::app {
 namespace {
@@ -31,6 +32,23 @@ std::optional<ReplyKind> kind_of(const std::string& type) {
   if (type == "early") return ReplyKind::Early;
   if (type == "strategy") return ReplyKind::Strategy;
   return std::nullopt;
+}
+
+/// A number as the page writes it: whole, not below 0 and no larger than its kind holds. JSON's 1.9, true and
+/// 2^32 + 1 are none.
+template <typename Integer>
+std::optional<Integer> whole_number(const nlohmann::json& value) {
+  if (!value.is_number_unsigned()) return std::nullopt;
+  const auto number = value.get<std::uint64_t>();
+  if (!std::in_range<Integer>(number)) return std::nullopt;
+  return static_cast<Integer>(number);
+}
+
+/// Whether it holds no control characters but line breaks and tabs: a NUL would end it early for other
+/// readers of the study file.
+bool is_text(std::string_view text) {
+  return std::ranges::none_of(
+      text, [](unsigned char c) { return (c < 0x20 && c != '\n' && c != '\r' && c != '\t') || c == 0x7F; });
 }
 
 nlohmann::ordered_json choices_json(std::span<const trials::Choice> choices) {
@@ -88,15 +106,19 @@ std::optional<HandMessage> parse_hand(std::string_view bytes) {
 std::optional<Reply> parse_reply(std::string_view text) try {
   const auto json = nlohmann::json::parse(text);
   const auto kind = kind_of(json.at("type").get<std::string>());
-  if (!kind) return std::nullopt;
-  Reply reply{.kind = *kind, .id = json.at("id").get<std::uint32_t>()};
+  const auto id = whole_number<std::uint32_t>(json.at("id"));
+  if (!kind || !id) return std::nullopt;
+  Reply reply{.kind = *kind, .id = *id};
   if (reply.kind == ReplyKind::Answer) {
-    reply.choice = json.at("choice").get<int>();
-    reply.milliseconds = json.at("ms").get<double>();
+    const auto choice = whole_number<int>(json.at("choice"));
+    const nlohmann::json& milliseconds = json.at("ms");
+    if (!choice || !milliseconds.is_number()) return std::nullopt;
+    reply.choice = *choice;
+    reply.milliseconds = milliseconds.get<double>();
   }
   if (reply.kind == ReplyKind::Early) reply.text = json.at("key").get<std::string>();
   if (reply.kind == ReplyKind::Strategy) reply.text = json.at("text").get<std::string>();
-  if (reply.text.size() > kLongestText) return std::nullopt;
+  if (reply.text.size() > kLongestText || !is_text(reply.text)) return std::nullopt;
   return reply;
 } catch (const nlohmann::json::exception&) {
   return std::nullopt;

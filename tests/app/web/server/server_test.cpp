@@ -2,15 +2,22 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <pthread.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
+#include <chrono>
+#include <ctime>
 #include <regex>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "app/web/server/access.hpp"
 
@@ -53,6 +60,19 @@ class ServerTest : public testing::Test {
     return response;
   }
 
+  std::uint16_t port() const {
+    const std::string link = server_.link();
+    return static_cast<std::uint16_t>(std::stoi(link.substr(std::string_view("http://127.0.0.1:").size())));
+  }
+  /// What the server's thread has used of a processor [s].
+  double processor_time() {
+    clockid_t clock{};
+    timespec used{};
+    pthread_getcpuclockid(thread_.native_handle(), &clock);
+    clock_gettime(clock, &used);
+    return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
+  }
+
   asio::io_context io_;
   Server server_{io_, kPage, 0, draw_token(), {}};
   std::thread thread_;
@@ -73,6 +93,46 @@ TEST_F(ServerTest, ServesNobodyWithoutTheLinksToken) {
     EXPECT_EQ(refused.result(), http::status::forbidden);
     EXPECT_THAT(refused.body(), HasSubstr("the link that the program printed"));
   }
+}
+
+// Connections that ask for nothing, more than the server keeps: the oldest are closed, the page still comes.
+TEST_F(ServerTest, IdleConnectionsHaveABound) {
+  asio::io_context io;
+  std::vector<asio::ip::tcp::socket> idle;
+  for (int i = 0; i < 90; ++i) idle.emplace_back(io).connect({asio::ip::address_v4::loopback(), port()});
+  EXPECT_EQ(get("page.js").body(), "1;");
+  const auto closed = std::ranges::count_if(idle, [](asio::ip::tcp::socket& socket) {
+    socket.non_blocking(true);
+    char byte = 0;
+    boost::system::error_code error;
+    socket.read_some(asio::buffer(&byte, 1), error);
+    return error == asio::error::eof || error == asio::error::connection_reset;
+  });
+  EXPECT_EQ(closed, 90 - 24 + 1);
+}
+
+// The process may open nothing more: the server waits, and takes the connection once it may again.
+TEST_F(ServerTest, WaitsWithoutDescriptorsInsteadOfSpinning) {
+  asio::io_context io;
+  asio::ip::tcp::socket socket(io, asio::ip::tcp::v4());
+  rlimit before{};
+  ::getrlimit(RLIMIT_NOFILE, &before);
+  const int next = ::dup(0);  // the lowest that is free
+  ::close(next);
+  rlimit tight = before;
+  tight.rlim_cur = static_cast<rlim_t>(next);
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &tight), 0);
+  socket.connect({asio::ip::address_v4::loopback(), port()});
+  const double used = processor_time();
+  std::this_thread::sleep_for(std::chrono::milliseconds(600));
+  EXPECT_LT(processor_time() - used, 0.1);
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &before), 0);
+  http::request<http::empty_body> request(http::verb::get, "/", 11);
+  http::write(socket, request);
+  boost::beast::flat_buffer buffer;
+  http::response<http::string_body> response;
+  http::read(socket, buffer, response);
+  EXPECT_EQ(response.result(), http::status::forbidden);
 }
 
 }  // namespace

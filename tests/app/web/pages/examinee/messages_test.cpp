@@ -1,5 +1,6 @@
 #include "app/web/pages/examinee/messages.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -42,6 +43,24 @@ TEST(Reply, ThatOursNeverSendsIsNone) {
         "\xff", "{\"type\":\"continue\",\"id\":1"})
     EXPECT_FALSE(parse_reply(text)) << text;
   EXPECT_FALSE(parse_reply(R"({"type":"strategy","id":1,"text":")" + std::string(9000, 'x') + R"("})"));
+}
+
+// Each of them would otherwise count as something else: 1.9 and true as choice 1, 2^32 + 1 as showing 1.
+TEST(Reply, WithANumberOrTextThatOursNeverHoldsIsNone) {
+  for (const std::string_view choice :
+       {"1.9", "1.0", "true", "-1", "4294967297", "18446744073709551617", "null"})
+    EXPECT_FALSE(parse_reply(fmt::format(R"({{"type":"answer","id":9,"choice":{},"ms":812.5}})", choice)))
+        << choice;
+  for (const std::string_view id : {"4294967296", "4294967297", "1.0", "1.5", "true", "-1", "-4294967295"})
+    EXPECT_FALSE(parse_reply(fmt::format(R"({{"type":"continue","id":{}}})", id))) << id;
+  for (const std::string_view ms : {"true", "\"1\"", "null"})
+    EXPECT_FALSE(parse_reply(fmt::format(R"({{"type":"answer","id":9,"choice":1,"ms":{}}})", ms))) << ms;
+  for (const std::string_view key : {R"(\u0000)", R"(a\u0000b)", R"(\u001b)", R"(\u007f)"}) {
+    EXPECT_FALSE(parse_reply(fmt::format(R"({{"type":"early","id":1,"key":"{}"}})", key))) << key;
+    EXPECT_FALSE(parse_reply(fmt::format(R"({{"type":"strategy","id":1,"text":"{}"}})", key))) << key;
+  }
+  EXPECT_EQ(parse_reply(R"({"type":"continue","id":4294967295})")->id, 4294967295U);
+  EXPECT_EQ(parse_reply(R"({"type":"strategy","id":1,"text":"two\nlines"})")->text, "two\nlines");
 }
 
 TEST(PhaseMessage, SaysWhatIsToBeShownAndNothingElse) {
