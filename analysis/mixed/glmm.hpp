@@ -54,7 +54,8 @@ struct GlmmFit {
   RandomSpread spread{};
   double log_likelihood = 0.0;  // of the rows as given, binomial coefficients included
   int parameters = 0;
-  bool singular = false;  // a variance of 0 is the estimate: a boundary of what can be
+  bool singular =
+      false;  // a variance of 0 or a correlation of 1 or -1 is the estimate: an end of what can be
   Convergence convergence{};
 };
 
