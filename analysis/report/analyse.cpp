@@ -246,7 +246,8 @@ void take_looks(const StudyTable& table, StudyReport& report) {
   std::map<int, LookEvent> planned;
   const auto take = [&](const LookEvent& look) {
     const auto [first, is_new] = planned.try_emplace(look.planned, look);
-    if (!is_new && look.utc < first->second.utc) first->second = look;
+    if (!is_new && came_before(look.written, look.utc, first->second.written, first->second.utc))
+      first->second = look;
   };
   for (const LookEvent& look : table.looks) {
     if (!look.run_mode.empty() && look.run_mode != report.run_mode) continue;

@@ -52,7 +52,8 @@ void add_versions(const StudyReport& report, std::vector<std::string>& found) {
 
 bool begun_before_the_plan(const StudyReport& report) {
   return std::ranges::any_of(report.sessions, [&](const ReportedSession& session) {
-    return session.started_utc < report.frozen_plan->frozen_utc;  // ISO 8601 sorts by time
+    return came_before(session.begun, session.started_utc, report.frozen_plan->written,
+                       report.frozen_plan->frozen_utc);
   });
 }
 

@@ -11,6 +11,8 @@
 #include "app/study/look_log.hpp"
 #include "base/files/sha256.hpp"
 #include "trials/study/answered_trials.hpp"
+#include "trials/study/chain_parts.hpp"
+#include "trials/study/clock_steps.hpp"
 #include "trials/study/merged_part.hpp"
 
 namespace palpate::app {
@@ -104,13 +106,40 @@ struct PressedCondition {
 };
 using Pressed = std::map<PressedCondition, std::vector<std::int64_t>>;  // ids of presentations
 
+// In which order things were written.
+struct Written {
+  trials::ChainParts chains;
+  std::map<std::int64_t, std::int64_t> begun{};  // sitting -> the entry that it began with
+
+  Written(const trials::StudyRow& study, const std::vector<trials::EventRow>& events)
+      : chains(study, trials::merged_parts(events)) {
+    for (const trials::EventRow& event : events)
+      if (event.kind == trials::event_kind::kBegun && event.session) begun[*event.session] = event.entry;
+  }
+  analysis::ChainPlace place(std::int64_t entry) const {
+    return {.chain = static_cast<std::size_t>(&chains.chain_of(entry) - chains.chains().data()),
+            .entry = entry};
+  }
+};
+
+std::vector<trials::ClockStep> clock_steps(const Written& written,
+                                           const std::vector<trials::EventRow>& events,
+                                           const std::vector<trials::AnsweredTrial>& answered) {
+  std::map<std::int64_t, std::string> times;
+  for (const trials::EventRow& event : events) times[event.entry] = event.utc;
+  for (const trials::AnsweredTrial& trial : answered) times[trial.answer.entry] = trial.answer.committed_utc;
+  return trials::clock_steps_back(times, written.chains);
+}
+
 // The sittings, and where each stands in the table, by its id.
-std::map<std::int64_t, std::size_t> add_sessions(const trials::StudyFile& study,
+std::map<std::int64_t, std::size_t> add_sessions(const trials::StudyFile& study, const Written& written,
                                                  analysis::StudyTable& table) {
   std::map<std::int64_t, std::size_t> places;
   for (const trials::SessionRow& session : study.sessions()) {
     places[session.id] = table.sessions.size();
     table.sessions.push_back(session_of(table.design.protocol_sha256, session));
+    const auto begun = written.begun.find(session.id);
+    if (begun != written.begun.end()) table.sessions.back().begun = written.place(begun->second);
   }
   return places;
 }
@@ -213,25 +242,9 @@ analysis::FrozenPlan frozen_plan_of(const trials::EventRow& event) {
           .software_version = text("software_version")};
 }
 
-}  // namespace
-
-analysis::StudyTable read_study_table(const trials::StudyFile& study, bool curves) {
-  const trials::Protocol& protocol = study.protocol();
-  analysis::StudyTable table{.design = design_of(protocol)};
-  const auto events = study.events();
-  for (const trials::EventRow& event : events) {
-    if (event.kind == kPlanFrozen) table.frozen_plan = frozen_plan_of(event);
-    if (const auto look = look_of(event)) table.looks.push_back(*look);
-  }
-  for (const trials::MergedPart& part : trials::merged_parts(events))
-    table.notes.push_back(fmt::format("Joined from the study file {}{}: {} sittings, receipt {}.", part.file,
-                                      part.site.empty() ? "" : " of the site " + part.site, part.sessions,
-                                      trials::to_string(part.receipt)));
-  const auto answered = trials::answered_trials(study);
-  const auto places = add_sessions(study, table);  // after the answers: a sitting may begin meanwhile
-  for (const trials::AnsweredTrial& trial : answered)
-    table.trials.push_back(trial_of(protocol, trial, places.at(trial.session->id)));
-  if (!curves) return table;
+// In the protocol's order of conditions, cell by cell.
+void add_curves(const trials::StudyFile& study, const std::vector<trials::AnsweredTrial>& answered,
+                analysis::StudyTable& table) {
   const std::vector<std::string>& order = table.design.conditions;
   for (const auto& [pressed, ids] : pressed_in(answered))
     table.curves.push_back(curve_of(study, pressed, ids));
@@ -241,6 +254,39 @@ analysis::StudyTable read_study_table(const trials::StudyFile& study, bool curve
   std::ranges::stable_sort(table.curves, [&](const auto& a, const auto& b) {
     return std::pair(a.cell, place(a.condition)) < std::pair(b.cell, place(b.condition));
   });
+}
+
+}  // namespace
+
+analysis::StudyTable read_study_table(const trials::StudyFile& study, bool curves) {
+  const trials::Protocol& protocol = study.protocol();
+  analysis::StudyTable table{.design = design_of(protocol)};
+  const auto events = study.events();
+  const Written written(study.study(), events);
+  for (const trials::EventRow& event : events) {
+    if (event.kind == kPlanFrozen) {
+      table.frozen_plan = frozen_plan_of(event);
+      table.frozen_plan->written = written.place(event.entry);
+    }
+    if (auto look = look_of(event)) {
+      look->written = written.place(event.entry);
+      table.looks.push_back(*look);
+    }
+  }
+  for (const trials::MergedPart& part : trials::merged_parts(events))
+    table.notes.push_back(fmt::format("Joined from the study file {}{}: {} sittings, receipt {}.", part.file,
+                                      part.site.empty() ? "" : " of the site " + part.site, part.sessions,
+                                      trials::to_string(part.receipt)));
+  const auto answered = trials::answered_trials(study);
+  for (const trials::ClockStep& step : clock_steps(written, events, answered))
+    table.notes.push_back(fmt::format(
+        "While the study ran, {}; who counts goes by the chain's order, not by the clock.", in_words(step)));
+  const auto places = add_sessions(study, written, table);  // after the answers: one may begin meanwhile
+  for (const trials::AnsweredTrial& trial : answered) {
+    table.trials.push_back(trial_of(protocol, trial, places.at(trial.session->id)));
+    table.trials.back().written = written.place(trial.answer.entry);
+  }
+  if (curves) add_curves(study, answered, table);
   return table;
 }
 

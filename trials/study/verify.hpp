@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "trials/study/clock_steps.hpp"
 #include "trials/study/merged_part.hpp"
 #include "trials/study/receipt.hpp"
 
@@ -15,7 +16,8 @@ struct VerifyReport {
   std::vector<std::string> problems{};  // empty: the file is whole
   Receipt receipt{};
   int sessions = 0, answers = 0, presentations = 0, voided = 0;
-  std::vector<MergedPart> parts{};  // of a joined file
+  std::vector<MergedPart> parts{};       // of a joined file
+  std::vector<ClockStep> clock_steps{};  // back; the file is whole all the same
 };
 
 /// What verify_study() looks at. `Answers`: all but the database's pages and the traces' contents, which take
