@@ -11,12 +11,15 @@
 namespace palpate::analysis {
 namespace {
 
-RandomSpread spread_of(const Eigen::Matrix2d& covariance, RandomEffects random) {
-  RandomSpread spread{.intercept = std::sqrt(covariance(0, 0))};
+// From a root of the covariance: its rows are the effects in terms of independent ones.
+RandomSpread spread_of(const Eigen::Matrix2d& root, RandomEffects random) {
+  RandomSpread spread{.intercept = root.row(0).norm()};
   if (random == RandomEffects::Intercept) return spread;
-  spread.slope = std::sqrt(covariance(1, 1));
-  const double product = spread.intercept * *spread.slope;
-  if (product > 0) spread.correlation = std::clamp(covariance(0, 1) / product, -1.0, 1.0);
+  spread.slope = root.row(1).norm();
+  if (spread.intercept > 0 && *spread.slope > 0) {
+    const double cosine = root.row(0).normalized().dot(root.row(1).normalized());
+    spread.correlation = std::clamp(cosine, -1.0, 1.0);
+  }
   return spread;
 }
 
@@ -31,10 +34,15 @@ GlmmFit fit(const Observations& data, const GlmmOptions& options) {
   Eigen::Matrix2d unit;  // from the standardised level to the level's own unit
   unit << 1, -data.centre / data.scale, 0, 1 / data.scale;
   GlmmFit result{.options = options};
+  result.standardised = {.fixed = at.template head<2>(),
+                         .covariance = climb.fixed_covariance(),
+                         .centre = data.centre,
+                         .scale = data.scale};
   result.fixed = unit * at.template head<2>();
   result.covariance = unit * climb.fixed_covariance() * unit.transpose();
-  result.random_covariance = unit * lambda * lambda.transpose() * unit.transpose();
-  result.spread = spread_of(result.random_covariance, options.random);
+  const Eigen::Matrix2d root = unit * lambda;
+  result.random_covariance = root * root.transpose();
+  result.spread = spread_of(root, options.random);
   result.log_likelihood = climb.log_likelihood() + data.log_ways;
   result.parameters = Climb<Q>::kParameters - (options.with_slope ? 0 : 1);
   result.singular = climb.singular();

@@ -36,16 +36,26 @@ struct RandomSpread {
   std::optional<double> correlation{};  // of the two
 };
 
+/// The fixed effects over the standardised level (level - centre)/scale: where the level's origin lies far
+/// from the levels, those over the level itself are differences of large numbers.
+struct StandardisedEffects {
+  Eigen::Vector2d fixed{0, 0};
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
+  double centre = 0.0, scale = 1.0;
+};
+
 /// A fit of link(P(answer is 1)) = (b0 + e0) + (b1 + e1) level, e normal between examinees.
 struct GlmmFit {
   GlmmOptions options{};
   Eigen::Vector2d fixed{0, 0};                                  // b0, b1
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();         // of them; NaN where it did not converge
   Eigen::Matrix2d random_covariance = Eigen::Matrix2d::Zero();  // of e
+  StandardisedEffects standardised{};
   RandomSpread spread{};
   double log_likelihood = 0.0;  // of the rows as given, binomial coefficients included
   int parameters = 0;
-  bool singular = false;  // a variance of 0 is the estimate: a boundary of what can be
+  bool singular =
+      false;  // a variance of 0 or a correlation of 1 or -1 is the estimate: an end of what can be
   Convergence convergence{};
 };
 

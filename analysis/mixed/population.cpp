@@ -29,21 +29,23 @@ Interval fieller(double lower, double upper, double level) {
   return {.lower = lower, .upper = upper, .level = level, .method = "Fieller"};
 }
 
-// The levels x at which b0 + b1 x is within z standard errors of 0.
-LevelEstimate pse_of(const GlmmFit& fit, double level) {
-  const double b0 = fit.fixed[0], b1 = fit.fixed[1], z = critical_z(level);
-  const Eigen::Matrix2d& v = fit.covariance;
-  LevelEstimate pse{.estimate = -b0 / b1};
+// The levels x at which b0 + b1 x is within z standard errors of 0, found over the standardised level.
+LevelEstimate pse_of(const StandardisedEffects& effects, double level) {
+  const double b0 = effects.fixed[0], b1 = effects.fixed[1], z = critical_z(level);
+  const Eigen::Matrix2d& v = effects.covariance;
+  const auto of_level = [&](double x) { return effects.centre + effects.scale * x; };
+  LevelEstimate pse{.estimate = of_level(-b0 / b1)};
   const Eigen::Vector2d slopes(-1 / b1, b0 / (b1 * b1));
-  pse.standard_error = std::sqrt(slopes.dot(v * slopes));
+  pse.standard_error = effects.scale * std::sqrt(slopes.dot(v * slopes));
   const double a = b1 * b1 - z * z * v(1, 1), b = b0 * b1 - z * z * v(0, 1), c = b0 * b0 - z * z * v(0, 0);
   if (std::isnan(a)) {
     pse.interval = fieller(kNaN, kNaN, level);
   } else if (a <= 0) {
     pse.interval = fieller(-kInfinity, kInfinity, level);
   } else {
-    const double root = std::sqrt(b * b - a * c);  // real where a > 0
-    pse.interval = fieller((-b - root) / a, (-b + root) / a, level);
+    const double root =
+        std::sqrt(std::max(0.0, b * b - a * c));  // not below 0 where a > 0, but for round-off
+    pse.interval = fieller(of_level((-b - root) / a), of_level((-b + root) / a), level);
   }
   return pse;
 }
@@ -95,7 +97,7 @@ GlmmAnalysis glmm_analysis(const std::vector<LevelAnswers>& answers, const GlmmO
   result.intercept = coefficient(result.fit.fixed[0], result.fit.covariance(0, 0), level);
   result.slope = coefficient(result.fit.fixed[1], result.fit.covariance(1, 1), level);
   result.slope_test = slope_test(data, result.fit);
-  result.pse = pse_of(result.fit, level);
+  result.pse = pse_of(result.fit.standardised, level);
   result.jnd = jnd_of(result.fit, result.slope, level);
   return result;
 }

@@ -164,6 +164,7 @@ BayesPoint refined_mode(const BayesProblem& problem, const Axes& bounds, const B
   search.set_upper_bounds(upper);
   search.set_initial_step(step);
   search.set_xtol_rel(1e-8);
+  search.set_xtol_abs(1e-9);  // places are of order 1, and may be 0
   search.set_maxeval(20'000);
   search.set_max_objective(height, &hill);
   double value = 0.0;
@@ -204,9 +205,12 @@ BayesianFit bayesian_psychometric(std::span<const Block> blocks, Shape shape, st
                              .source = "Schuett et al. 2016"}};
   if (free) fit.guess = summary(grid, kGuess, mode, level);
   for (const auto& axis : grid.axes) fit.grid *= static_cast<long>(axis.size());
-  for (double* value : {&fit.threshold.mean, &fit.threshold.mode, &fit.threshold.interval.lower,
-                        &fit.threshold.interval.upper})
-    *value = from_scale(shape, *value);
+  const auto back = [](Posterior& of, const auto& change) {
+    for (double* value : {&of.mean, &of.mode, &of.interval.lower, &of.interval.upper})
+      *value = change(*value);
+  };
+  back(fit.threshold, [&](double place) { return from_scale(shape, problem.scale.to(place)); });
+  back(fit.width, [&](double width) { return problem.scale.unit * width; });
   return fit;
 }
 

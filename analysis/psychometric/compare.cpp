@@ -131,6 +131,22 @@ class Sharing {
   double quantile_ = 0.0;
 };
 
+// The middle and half the range of all levels: where they stand and what their unit is decides nothing.
+Placement common_scale(const Conditions& conditions) {
+  double low = INFINITY, high = -INFINITY;
+  for (const Prepared& one : conditions) {
+    low = std::min(low, one.design.place.front());
+    high = std::max(high, one.design.place.back());
+  }
+  return {.origin = 0.5 * (low + high), .unit = 0.5 * (high - low)};
+}
+
+JointFit placed_back(JointFit joint, const Placement& on) {
+  for (double& alpha : joint.alpha) alpha = on.to(alpha);
+  for (double& beta : joint.beta) beta /= on.unit;
+  return joint;
+}
+
 std::optional<std::string> why_no_function(const PsychometricCondition& condition, double beta) {
   if (std::isinf(beta))
     return fmt::format("condition {}: its answers are separable, its slope infinite", condition.name);
@@ -176,11 +192,14 @@ PsychometricComparison compare_psychometric(std::span<const PsychometricConditio
     }
     all.push_back(prepared(condition.blocks, model));
   }
-  comparison.separate = fit_separate(all, model);
+  const Placement on = common_scale(all);
+  for (Prepared& one : all) one.design = placed(std::move(one.design), on);
+  comparison.separate = placed_back(fit_separate(all, model), on);
   for (std::size_t i = 0; i < conditions.size() && !comparison.why_not; ++i)
     comparison.why_not = why_no_function(conditions[i], comparison.separate.beta[i]);
   if (comparison.why_not) return comparison;
-  comparison.same = same == Same::Function ? fit_pooled(conditions, model) : Sharing(all, model, same).fit();
+  comparison.same = same == Same::Function ? fit_pooled(conditions, model)
+                                           : placed_back(Sharing(all, model, same).fit(), on);
   comparison.chi_squared =
       std::max(0.0, 2 * (comparison.separate.log_likelihood - comparison.same.log_likelihood));
   comparison.degrees_of_freedom =

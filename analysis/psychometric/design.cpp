@@ -84,6 +84,13 @@ Design make_design(std::span<const Block> blocks, const PsychometricModel& model
   return design;
 }
 
+Design placed(Design design, const Placement& on) {
+  for (double& place : design.place) place = on.from(place);
+  design.centre = on.from(design.centre);
+  design.half_range /= on.unit;
+  return design;
+}
+
 std::vector<double> correct_in(const Design& design, std::span<const Block> blocks) {
   std::vector<double> correct;
   for (const std::size_t index : design.block) correct.push_back(static_cast<double>(blocks[index].correct));

@@ -55,6 +55,18 @@ struct Design {
 /// Asks for blocks and a model that were validated, and levels that are fit.
 Design make_design(std::span<const Block> blocks, const PsychometricModel& model);
 
+/// Another scale of places: u = origin + unit place.
+struct Placement {
+  double origin = 0.0;
+  double unit = 1.0;  // > 0
+
+  double from(double u) const { return (u - origin) / unit; }
+  double to(double place) const { return origin + unit * place; }
+};
+
+/// The same design with its places on another scale; v stays what it is.
+Design placed(Design design, const Placement& on);
+
 /// The numbers correct in the order of the design's rows.
 std::vector<double> correct_in(const Design& design, std::span<const Block> blocks);
 

@@ -35,16 +35,19 @@ PsychometricFit step_fit(const StepLimit& step) {
           .probability = step.probability};
 }
 
+double middle_of(const Design& design, const Line& line) {
+  return design.centre - line.intercept / line.rise * design.half_range;
+}
+
 PsychometricFit judged(const Design& design, std::span<const double> correct, const Summit& best) {
   const StepLimit step = best_step(design, correct);
   const FlatLimit flat = best_flat(design, correct);
   const double beyond_flat = std::max(best.log_likelihood, step.log_likelihood);
   if (flat.log_likelihood >= beyond_flat - kSame) return flat_fit(flat);
   if (step.log_likelihood >= best.log_likelihood - kSame) return step_fit(step);
-  const double beta = best.line.rise / design.half_range;
   return {.kind = FitKind::Found,
-          .alpha = design.centre - best.line.intercept / beta,
-          .beta = beta,
+          .alpha = middle_of(design, best.line),
+          .beta = best.line.rise / design.half_range,
           .lapse = best.line.lapse,
           .log_likelihood = best.log_likelihood,
           .line = best.line};
@@ -61,6 +64,14 @@ PsychometricFit Fitter::fit(std::span<const double> correct) const {
     if (other.log_likelihood > best.log_likelihood) best = other;
   }
   return judged(design_, correct, best);
+}
+
+PsychometricFit placed(PsychometricFit fit, const Design& design, const Placement& on) {
+  fit.alpha = fit.kind == FitKind::Found ? middle_of(design, fit.line) : on.from(fit.alpha);
+  fit.beta *= on.unit;
+  fit.step_lower = on.from(fit.step_lower);
+  fit.step_upper = on.from(fit.step_upper);
+  return fit;
 }
 
 PsychometricFit fit_psychometric(const Design& design, std::span<const double> correct) {

@@ -41,6 +41,9 @@ class Fitter {
   StartGrid grid_;
 };
 
+/// The same fit with its places on the scale of `design`, which is the fitted one, placed() elsewhere.
+PsychometricFit placed(PsychometricFit fit, const Design& design, const Placement& on);
+
 PsychometricFit fit_psychometric(const Design& design, std::span<const double> correct);
 
 /// psi at each row of the design.

@@ -37,6 +37,17 @@ double deviance_of(const Design& design, std::span<const double> correct, double
   return std::max(0.0, 2 * (best - log_likelihood));
 }
 
+double pooled_deviance_of(const Design& design, std::span<const double> correct, double log_likelihood) {
+  double best = 0.0;
+  for (std::size_t i = 0; i + 1 < design.group.size(); ++i) {
+    double k = 0.0, n = 0.0;
+    for (std::size_t row = design.group[i]; row < design.group[i + 1]; ++row)
+      k += correct[row], n += design.trials[row];
+    best += saturated(k, n);
+  }
+  return std::max(0.0, 2 * (best - log_likelihood));
+}
+
 std::vector<BlockInfluence> block_influence(std::span<const Block> blocks, const PsychometricModel& model,
                                             const PsychometricFit& fit) {
   const Design design = make_design(blocks, model);

@@ -11,6 +11,9 @@ namespace palpate::analysis {
 /// Source: [WichmannHill2001a] eq. 6.
 double deviance_of(const Design& design, std::span<const double> correct, double log_likelihood);
 
+/// The same against a proportion for each distinct level: blocks at one level count as one.
+double pooled_deviance_of(const Design& design, std::span<const double> correct, double log_likelihood);
+
 /// How a block agrees with the fit, and what the fit would be without it.
 struct BlockInfluence {
   double psi = 0.0;       // fitted

@@ -52,6 +52,8 @@ BayesProblem posed(std::span<const Block> blocks, Shape shape, std::optional<dou
   validate(model);
   if (const auto unfit = unfit_levels(blocks, model)) throw std::invalid_argument(*unfit);
   BayesProblem problem{.design = make_design(blocks, model), .guess_is_free = !guess};
+  problem.scale = {.origin = problem.design.centre, .unit = problem.design.half_range};
+  problem.design = placed(std::move(problem.design), problem.scale);
   problem.correct = correct_in(problem.design, blocks);
   problem.unit_width = shape_quantile(shape, 0.95) - shape_quantile(shape, 0.05);
   problem.range = 2 * problem.design.half_range;
@@ -83,13 +85,14 @@ std::vector<std::string> priors_in_words(const BayesProblem& problem) {
   const bool logs = on_log_levels(problem.design.model.shape);
   const std::string scale = logs ? "log level" : "level";
   const double low = problem.design.place.front(), high = problem.design.place.back();
+  const auto place = [&](double u) { return number(problem.scale.to(u)); };
+  const auto width = [&](double u) { return number(problem.scale.unit * u); };
   std::vector<std::string> words{
       fmt::format("threshold ({}): even from {} to {}, falling as a cosine to 0 at {} and {}", scale,
-                  number(low), number(high), number(low - 0.5 * problem.range),
-                  number(high + 0.5 * problem.range)),
+                  place(low), place(high), place(low - 0.5 * problem.range),
+                  place(high + 0.5 * problem.range)),
       fmt::format("width ({}): even from {} to {}, falling as a cosine to 0 at {} and {}", scale,
-                  number(2 * problem.gap), number(problem.range), number(problem.gap),
-                  number(3 * problem.range)),
+                  width(2 * problem.gap), width(problem.range), width(problem.gap), width(3 * problem.range)),
       "lapse: beta(1, 10), up to 0.5", "eta: beta(1, 10)"};
   if (problem.guess_is_free) words.push_back("guess: beta(1, 10), up to 0.5");
   return words;

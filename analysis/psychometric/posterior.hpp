@@ -14,16 +14,17 @@ namespace palpate::analysis {
 
 inline constexpr std::size_t kThreshold = 0, kWidth = 1, kLapse = 2, kGuess = 3, kEta = 4, kParameters = 5;
 
-/// Threshold and width on the scale u, lapse and guess rate, eta.
+/// Threshold and width on the scale of the design's places, lapse and guess rate, eta.
 using BayesPoint = std::array<double, kParameters>;
 
 struct BayesProblem {
-  Design design{};
+  Design design{};    // its places from -1 to 1
+  Placement scale{};  // on which they are so
   std::vector<double> correct{};
   bool guess_is_free = false;
   double unit_width = 0.0;  // eta from F = 0.05 to F = 0.95
-  double range = 0.0;       // of the levels, in u
-  double gap = 0.0;         // the least between neighbours, in u
+  double range = 0.0;       // of the places
+  double gap = 0.0;         // the least between neighbouring places
 };
 
 /// Throws std::invalid_argument as bayesian_psychometric does.

@@ -146,13 +146,34 @@ double end_of(const Axis& axis, const std::function<double(double)>& excess, dou
       std::uintmax_t iterations = 60;
       const auto ends = boost::math::tools::toms748_solve(
           excess, std::min(inside, outside), std::max(inside, outside), direction > 0 ? inner : outer,
-          direction > 0 ? outer : inner, boost::math::tools::eps_tolerance<double>(30), iterations);
+          direction > 0 ? outer : inner, boost::math::tools::eps_tolerance<double>(44), iterations);
       return 0.5 * (ends.first + ends.second);
     }
     inside = outside;
     inner = outer;
     step *= 1.5;
   }
+}
+
+// The scale on which ends are searched: v, or, where levels are logarithms and a slope asks for levels as they
+// are, u from the middle of the levels.
+Placement standard_scale(const Design& design) {
+  return {.origin = design.centre, .unit = on_log_levels(design.model.shape) ? 1.0 : design.half_range};
+}
+
+// How many of its units a level holds.
+double unit_of_levels(const Placement& on, Shape shape) {
+  return on_log_levels(shape) ? std::exp(on.origin) : on.unit;
+}
+
+// Where the search for the ends of a slope or a half distance begins, a start also where the fit is a limit.
+double steepness_at(const Design& design, const PsychometricFit& fit, Measure measure, double at) {
+  const Shape shape = design.model.shape;
+  const double steepest = 50 / (design.least_gap * design.half_range);
+  const double beta = std::clamp(fit.beta, 1e-3 / design.half_range, steepest);
+  const double alpha = std::isnan(fit.alpha) ? design.centre : fit.alpha;
+  return std::log(measure == Measure::Slope ? slope_at(shape, alpha, beta, at)
+                                            : half_distance(shape, alpha, beta));
 }
 
 double profile_of_lapse(const Design& design, std::span<const double> correct, double lapse) {
@@ -182,22 +203,28 @@ void lapse_ends(Interval& interval, const Design& design, std::span<const double
 
 double profile_log_likelihood(const Fitter& fitter, std::span<const double> correct, Measure measure,
                               double at, double value) {
-  const Design& design = fitter.design();
-  if (measure == Measure::Lapse) return profile_of_lapse(design, correct, value);
+  if (measure == Measure::Lapse) return profile_of_lapse(fitter.design(), correct, value);
+  const Placement on = standard_scale(fitter.design());
+  const Design design = placed(fitter.design(), on);
   const Axis axis = axis_of(design, measure, at);
-  const double place = measure == Measure::Level ? to_scale(design.model.shape, value) : std::log(value);
+  const double unit = unit_of_levels(on, design.model.shape);
+  const double place = measure == Measure::Level   ? on.from(to_scale(design.model.shape, value))
+                       : measure == Measure::Slope ? std::log(value * unit)
+                                                   : std::log(value / unit);
   return best_over_free(design, correct, axis, place);
 }
 
 Interval profile_interval(const Fitter& fitter, std::span<const double> correct, const PsychometricFit& fit,
                           Measure measure, double at, double level) {
   require_level(level, "confidence level");
-  const Design& design = fitter.design();
+  const Placement on = standard_scale(fitter.design());
+  const Design design = placed(fitter.design(), on);
+  const PsychometricFit there = placed(fit, design, on);
   const Shape shape = design.model.shape;
   Interval interval{.lower = -kInfinity, .upper = kInfinity, .level = level, .method = "profile likelihood"};
-  const double cut = fit.log_likelihood - 0.5 * quantile(boost::math::chi_squared_distribution<>(1), level);
+  const double cut = there.log_likelihood - 0.5 * quantile(boost::math::chi_squared_distribution<>(1), level);
   if (measure == Measure::Lapse) {
-    const double inside = fit.kind == FitKind::Flat ? design.model.lapse_lower : fit.lapse;
+    const double inside = there.kind == FitKind::Flat ? design.model.lapse_lower : there.lapse;
     lapse_ends(interval, design, correct, inside, cut);
     return interval;
   }
@@ -209,18 +236,16 @@ Interval profile_interval(const Fitter& fitter, std::span<const double> correct,
   const bool may_be_step = best_step(design, correct).log_likelihood >= cut;
   if (measure == Measure::Level) {
     if (may_be_flat) return interval;
-    axis.estimate = place_at(fit, shape, at);
-    interval.lower = from_scale(shape, end_of(axis, excess, -1));
-    interval.upper = from_scale(shape, end_of(axis, excess, 1));
+    axis.estimate = place_at(there, shape, at);
+    interval.lower = from_scale(shape, on.to(end_of(axis, excess, -1)));
+    interval.upper = from_scale(shape, on.to(end_of(axis, excess, 1)));
     return interval;
   }
   const bool slope = measure == Measure::Slope;
-  const double steepest = 50 / (design.least_gap * design.half_range);  // for a start at a step
-  const double beta = std::clamp(fit.beta, 1e-3 / design.half_range, steepest);
-  const double alpha = std::isnan(fit.alpha) ? design.centre : fit.alpha;
-  axis.estimate = std::log(slope ? slope_at(shape, alpha, beta, at) : half_distance(shape, alpha, beta));
-  if (!(slope ? may_be_flat : may_be_step)) interval.lower = std::exp(end_of(axis, excess, -1));
-  if (!(slope ? may_be_step : may_be_flat)) interval.upper = std::exp(end_of(axis, excess, 1));
+  axis.estimate = steepness_at(design, there, measure, at);
+  const double unit = unit_of_levels(on, shape), of_levels = slope ? 1 / unit : unit;
+  if (!(slope ? may_be_flat : may_be_step)) interval.lower = std::exp(end_of(axis, excess, -1)) * of_levels;
+  if (!(slope ? may_be_step : may_be_flat)) interval.upper = std::exp(end_of(axis, excess, 1)) * of_levels;
   return interval;
 }
 

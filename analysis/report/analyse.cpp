@@ -116,14 +116,11 @@ CellComparison compare(const CellResult& first, const CellResult& second, const 
   CellComparison comparison{
       .first = first.name, .second = second.name, .planned = report.design.between_models};
   std::vector<double> differences;
-  const auto proportion = [](const ExamineeCount& count) {
-    return static_cast<double>(count.correct) / static_cast<double>(count.trials);
-  };
   double sum = 0.0;
   for (std::size_t i = 0; i < report.examinees.size(); ++i) {
     const ExamineeCount &a = first.by_examinee[i], &b = second.by_examinee[i];
     if (!report.is_complete[i] || a.trials == 0 || b.trials == 0) continue;
-    differences.push_back(proportion(a) - proportion(b));
+    differences.push_back(proportion_difference(a, b));
     sum += differences.back();
   }
   comparison.examinees = differences.size();
@@ -250,7 +247,8 @@ void take_looks(const StudyTable& table, StudyReport& report) {
   std::map<int, LookEvent> planned;
   const auto take = [&](const LookEvent& look) {
     const auto [first, is_new] = planned.try_emplace(look.planned, look);
-    if (!is_new && look.utc < first->second.utc) first->second = look;
+    if (!is_new && came_before(look.written, look.utc, first->second.written, first->second.utc))
+      first->second = look;
   };
   for (const LookEvent& look : table.looks) {
     if (!look.run_mode.empty() && look.run_mode != report.run_mode) continue;

@@ -61,7 +61,8 @@ void add_plans(const StudyReport& report, std::vector<std::string>& found) {
 
 bool begun_before(const StudyReport& report, const FrozenPlan& plan) {
   return std::ranges::any_of(report.sessions, [&](const ReportedSession& session) {
-    return session.part == plan.part && session.started_utc < plan.frozen_utc;  // ISO 8601 sorts by time
+    return session.part == plan.part &&
+           came_before(session.begun, session.started_utc, plan.written, plan.frozen_utc);
   });
 }
 

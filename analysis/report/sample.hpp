@@ -13,8 +13,9 @@ struct Completion {
   const TrialRow* last = nullptr;  // the answer that made it complete
 };
 
-/// Who is complete, in the order in which they came to it: by the time of the answer that made it so, where
-/// that is equal or was not recorded by its place in the table.
+/// Who is complete, in the order in which they came to it: that of the answers which made it so. Within a
+/// study file its chain tells that order, whatever the clock said; between the files that one was joined from
+/// the clocks do, and where these say the same or nothing the place in the table.
 std::vector<Completion> completions(const StudyDesign& design, const Selection& selection);
 
 /// The answers of the first `count` complete examinees, each up to the one that made it complete: the same

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,6 +48,17 @@ struct StudyDesign {
 };
 
 /// One examinee's sitting.
+/// Where something stands in the chains of a study file, which tell in which order it was written, whatever
+/// the clock said. A file that was joined from others has a chain for each.
+struct ChainPlace {
+  std::size_t chain = 0;
+  std::int64_t entry = 0;  // from 1; 0: not recorded
+};
+
+/// Whether one thing came before another: by the chain where both stand in one, else by the clock.
+bool came_before(const ChainPlace& a, const std::string& a_utc, const ChainPlace& b,
+                 const std::string& b_utc);
+
 struct ReportedSession {
   int session = 1;  // number of this examinee's sittings, from 1: the exports' session_id
   std::string examinee{};
@@ -59,6 +71,7 @@ struct ReportedSession {
   std::string channel{};       // what carries the stimulus when pseudo_haptic: "pointer lag"; else empty
   std::string order_source{};  // "operating system" or "seed 42"
   std::string started_utc{};   // ISO 8601
+  ChainPlace begun{};
   bool pseudo_haptic = false;
   bool finished = false;  // every scheduled trial answered or voided
   double force_scale = 1.0;
@@ -91,6 +104,7 @@ struct TrialRow {
   std::optional<bool> correct{};  // empty where there is no truth
   std::optional<double> response_time_s{};
   std::string answered_utc{};  // ISO 8601 with the same number of digits everywhere; empty: not recorded
+  ChainPlace written{};
   bool voided = false;
   std::string void_reason{};
   std::vector<IntervalRow> intervals{};
@@ -113,6 +127,7 @@ struct FrozenPlan {
   std::size_t part = 0;  // into StudyTable::parts
   std::string sha256{};  // of its text
   std::string frozen_utc{};
+  ChainPlace written{};
   std::string software_version{};
 };
 
@@ -121,7 +136,8 @@ struct LookEvent {
   std::string run_mode{};  // of the results that were read; empty: it does not say
   int planned = 0;         // number of the look that the protocol plans; 0: nobody planned it
   std::string utc{};       // ISO 8601
-  std::string text{};      // what the file says of it
+  ChainPlace written{};
+  std::string text{};  // what the file says of it
 };
 
 struct StudyTable {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "analysis/numerics/infinity.hpp"
+#include "analysis/numerics/rounding.hpp"
 #include "analysis/resampling/sign_sums.hpp"
 
 namespace palpate::analysis {
@@ -149,8 +150,9 @@ SignFlipTest sign_flip_test(std::span<const double> differences, const SignFlipO
   if (!enumerate) test.seed = options.seed;
   if (!test.exact) test.resamples = resamples;
   const double patterns = static_cast<double>(subsets.sums.size()) + (enumerate ? 0 : 1);
+  const std::vector<double> settled = settled_differences(differences);
   const bool alike =
-      test.n > 1 && std::ranges::all_of(differences, [&](double d) { return d == differences.front(); });
+      test.n > 1 && std::ranges::all_of(settled, [&](double d) { return d == settled.front(); });
   const std::string sampled = fmt::format("{} random subset means, seed {}", resamples, options.seed);
   test.interval = invert(std::move(subsets), patterns, options.level,
                          "test inversion over " + (enumerate ? "all subset means" : sampled));

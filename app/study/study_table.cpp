@@ -11,6 +11,8 @@
 #include "app/study/look_log.hpp"
 #include "base/files/sha256.hpp"
 #include "trials/study/answered_trials.hpp"
+#include "trials/study/chain_parts.hpp"
+#include "trials/study/clock_steps.hpp"
 #include "trials/study/merged_part.hpp"
 #include "trials/study/resumption.hpp"
 
@@ -105,14 +107,32 @@ struct PressedCondition {
 };
 using Pressed = std::map<PressedCondition, std::vector<std::int64_t>>;  // ids of presentations
 
-// Which of a joined file's parts an entry of its chain, or a sitting, came with; their number for what came
-// after they were joined.
-std::size_t part_of_entry(const std::vector<trials::MergedPart>& parts, std::int64_t entry) {
-  std::size_t part = 0;
-  for (std::int64_t last = 0; part < parts.size(); ++part)
-    if (entry <= (last += parts[part].receipt.entries)) break;
-  return part;
+// In which order things were written.
+struct Written {
+  trials::ChainParts chains;
+  std::map<std::int64_t, std::int64_t> begun{};  // sitting -> the entry that it began with
+
+  Written(const trials::StudyRow& study, const std::vector<trials::EventRow>& events)
+      : chains(study, trials::merged_parts(events)) {
+    for (const trials::EventRow& event : events)
+      if (event.kind == trials::event_kind::kBegun && event.session) begun[*event.session] = event.entry;
+  }
+  analysis::ChainPlace place(std::int64_t entry) const {
+    return {.chain = static_cast<std::size_t>(&chains.chain_of(entry) - chains.chains().data()),
+            .entry = entry};
+  }
+};
+
+std::vector<trials::ClockStep> clock_steps(const Written& written,
+                                           const std::vector<trials::EventRow>& events,
+                                           const std::vector<trials::AnsweredTrial>& answered) {
+  std::map<std::int64_t, std::string> times;
+  for (const trials::EventRow& event : events) times[event.entry] = event.utc;
+  for (const trials::AnsweredTrial& trial : answered) times[trial.answer.entry] = trial.answer.committed_utc;
+  return trials::clock_steps_back(times, written.chains);
 }
+
+// Which of a joined file's parts a sitting came with; their number for one that came after they were joined.
 std::size_t part_of_session(const std::vector<trials::MergedPart>& parts, std::int64_t session) {
   std::size_t part = 0;
   for (std::int64_t last = 0; part < parts.size(); ++part)
@@ -132,7 +152,7 @@ std::vector<std::string> versions_that_resumed(const std::vector<trials::EventRo
 }
 
 // The sittings, and where each stands in the table, by its id.
-std::map<std::int64_t, std::size_t> add_sessions(const trials::StudyFile& study,
+std::map<std::int64_t, std::size_t> add_sessions(const trials::StudyFile& study, const Written& written,
                                                  const std::vector<trials::MergedPart>& parts,
                                                  analysis::StudyTable& table) {
   std::map<std::int64_t, std::size_t> places;
@@ -142,6 +162,8 @@ std::map<std::int64_t, std::size_t> add_sessions(const trials::StudyFile& study,
     table.sessions.push_back(session_of(table.design.protocol_sha256, session));
     table.sessions.back().part = part_of_session(parts, session.id);
     table.sessions.back().later_versions = versions_that_resumed(events, session.id);
+    const auto begun = written.begun.find(session.id);
+    if (begun != written.begun.end()) table.sessions.back().begun = written.place(begun->second);
   }
   return places;
 }
@@ -236,39 +258,28 @@ std::vector<double> force_at_depths(const trials::Trace& trace) {
 
 namespace {
 
-analysis::FrozenPlan frozen_plan_of(const trials::EventRow& event, std::size_t part) {
+analysis::FrozenPlan frozen_plan_of(const trials::EventRow& event, analysis::ChainPlace written) {
   const auto plan = nlohmann::json::parse(event.text, nullptr, false);
   const auto text = [&](const char* key) { return plan.is_object() ? plan.value(key, "") : std::string(); };
-  return {.part = part,
+  return {.part = written.chain,
           .sha256 = base::sha256_hex(event.text),
           .frozen_utc = event.utc,
+          .written = written,
           .software_version = text("software_version")};
 }
 
-}  // namespace
+// The name of a part that the file was joined from, and a note of it.
+void add_part(const trials::MergedPart& part, analysis::StudyTable& table) {
+  const std::string name =
+      fmt::format("the study file {}{}", part.file, part.site.empty() ? "" : " of the site " + part.site);
+  table.parts.push_back(name);
+  table.notes.push_back(fmt::format("Joined from {}: {} sittings, receipt {}.", name, part.sessions,
+                                    trials::to_string(part.receipt)));
+}
 
-analysis::StudyTable read_study_table(const trials::StudyFile& study, bool curves) {
-  const trials::Protocol& protocol = study.protocol();
-  analysis::StudyTable table{.design = design_of(protocol)};
-  const auto events = study.events();
-  const auto parts = trials::merged_parts(events);
-  for (const trials::EventRow& event : events) {
-    if (event.kind == kPlanFrozen)
-      table.frozen_plans.push_back(frozen_plan_of(event, part_of_entry(parts, event.entry)));
-    if (const auto look = look_of(event)) table.looks.push_back(*look);
-  }
-  for (const trials::MergedPart& part : parts) {
-    const std::string name =
-        fmt::format("the study file {}{}", part.file, part.site.empty() ? "" : " of the site " + part.site);
-    table.parts.push_back(name);
-    table.notes.push_back(fmt::format("Joined from {}: {} sittings, receipt {}.", name, part.sessions,
-                                      trials::to_string(part.receipt)));
-  }
-  const auto answered = trials::answered_trials(study);
-  const auto places = add_sessions(study, parts, table);  // after the answers: a sitting may begin meanwhile
-  for (const trials::AnsweredTrial& trial : answered)
-    table.trials.push_back(trial_of(protocol, trial, places.at(trial.session->id)));
-  if (!curves) return table;
+// In the protocol's order of conditions, cell by cell.
+void add_curves(const trials::StudyFile& study, const std::vector<trials::AnsweredTrial>& answered,
+                analysis::StudyTable& table) {
   const std::vector<std::string>& order = table.design.conditions;
   for (const auto& [pressed, ids] : pressed_in(answered))
     table.curves.push_back(curve_of(study, pressed, ids));
@@ -278,6 +289,36 @@ analysis::StudyTable read_study_table(const trials::StudyFile& study, bool curve
   std::ranges::stable_sort(table.curves, [&](const auto& a, const auto& b) {
     return std::pair(a.cell, place(a.condition)) < std::pair(b.cell, place(b.condition));
   });
+}
+
+}  // namespace
+
+analysis::StudyTable read_study_table(const trials::StudyFile& study, bool curves) {
+  const trials::Protocol& protocol = study.protocol();
+  analysis::StudyTable table{.design = design_of(protocol)};
+  const auto events = study.events();
+  const auto parts = trials::merged_parts(events);
+  const Written written(study.study(), events);
+  for (const trials::EventRow& event : events) {
+    if (event.kind == kPlanFrozen)
+      table.frozen_plans.push_back(frozen_plan_of(event, written.place(event.entry)));
+    if (auto look = look_of(event)) {
+      look->written = written.place(event.entry);
+      table.looks.push_back(*look);
+    }
+  }
+  for (const trials::MergedPart& part : parts) add_part(part, table);
+  const auto answered = trials::answered_trials(study);
+  for (const trials::ClockStep& step : clock_steps(written, events, answered))
+    table.notes.push_back(fmt::format(
+        "While the study ran, {}; who counts goes by the chain's order, not by the clock.", in_words(step)));
+  const auto places =
+      add_sessions(study, written, parts, table);  // after the answers: one may begin meanwhile
+  for (const trials::AnsweredTrial& trial : answered) {
+    table.trials.push_back(trial_of(protocol, trial, places.at(trial.session->id)));
+    table.trials.back().written = written.place(trial.answer.entry);
+  }
+  if (curves) add_curves(study, answered, table);
   return table;
 }
 

@@ -130,16 +130,21 @@ void check_rows(const Asked& asked, SQLite::Database database, VerifyReport& rep
   if (stores.design.name != stores.study.protocol_name)
     problems.add("study: the protocol's name is \"{}\", its text says \"{}\"", stores.study.protocol_name,
                  stores.design.name);
-  std::map<std::int64_t, std::string> texts;
+  std::map<std::int64_t, std::string> texts, times;
   const auto events = stores.events.all();
   report.parts = read_parts(events, problems);
   const ChainParts chains(stores.study, report.parts);
   for (const EventRow& event : events) {
     texts[event.entry] = canonical_text(chains.as_hashed(event));
+    times[event.entry] = event.utc;
     report.voided += event.kind == event_kind::kVoided ? 1 : 0;
   }
-  for (const SessionRow& session : stores.sessions.all())
+  for (const SessionRow& session : stores.sessions.all()) {
     check_session({stores, chains, events, session}, scope, texts, report, problems);
+    for (const AnswerRow& answer : stores.answers.of_session(session.id))
+      times[answer.entry] = answer.committed_utc;
+  }
+  report.clock_steps = clock_steps_back(times, chains);
   check_chain(stores, chains, texts, problems);
   check_parts(chains, stores.ledger.all(), problems);
   if (receipt) check_receipt(stores, chains, *receipt, problems);

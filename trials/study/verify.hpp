@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "trials/study/clock_steps.hpp"
 #include "trials/study/merged_part.hpp"
 #include "trials/study/receipt.hpp"
 
@@ -16,7 +17,8 @@ struct VerifyReport {
   std::vector<std::string> notes{};     // what to know of a file that is: a log that belongs to it
   Receipt receipt{};
   int sessions = 0, answers = 0, presentations = 0, voided = 0;
-  std::vector<MergedPart> parts{};  // of a joined file
+  std::vector<MergedPart> parts{};       // of a joined file
+  std::vector<ClockStep> clock_steps{};  // back; the file is whole all the same
 };
 
 /// What verify_study() looks at. `Answers`: all but the database's pages and the traces' contents, which take

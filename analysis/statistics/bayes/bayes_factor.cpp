@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <boost/math/distributions/beta.hpp>
 #include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
@@ -14,6 +15,9 @@ namespace palpate::analysis {
 namespace {
 
 using Beta = boost::math::beta_distribution<>;
+
+// Beyond these the quantiles of a beta distribution are not found any more.
+constexpr double kLeastOfPrior = 1e-6, kMostOfPrior = 1e9;
 
 double log_beta(double a, double b) {
   using boost::math::lgamma;
@@ -47,9 +51,9 @@ BayesFactor bayes_factor(long correct, long trials, double chance, Side side, co
   require_counts(correct, trials);
   require_level(chance, "chance");
   require_level(level, "credible level");
-  if (!(prior.a > 0 && prior.b > 0 && std::isfinite(prior.a + prior.b))) {
-    throw std::invalid_argument(
-        fmt::format("prior is Beta({}, {}); both numbers must be above 0", prior.a, prior.b));
+  if (!(std::min(prior.a, prior.b) >= kLeastOfPrior && std::max(prior.a, prior.b) <= kMostOfPrior)) {
+    throw std::invalid_argument(fmt::format("prior is Beta({}, {}); both numbers must be above 0: {} to {}",
+                                            prior.a, prior.b, kLeastOfPrior, kMostOfPrior));
   }
   BayesFactor result{.correct = correct, .trials = trials, .chance = chance, .side = side, .prior = prior};
   const double k = static_cast<double>(correct), wrong = static_cast<double>(trials - correct);

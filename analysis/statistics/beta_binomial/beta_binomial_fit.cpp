@@ -54,6 +54,7 @@ double profile_end(const Profile& profile, double estimate, double end, double b
     return std::max(profile(at) - best + fall, -1e6);
   };  // -inf is no number
   if (estimate == end || above(end) >= 0) return end;
+  if (above(estimate) <= 0) return estimate;  // a level so low that the fall is within round-off
   std::uintmax_t steps = 100;
   const auto [low, high] =
       boost::math::tools::toms748_solve(above, std::min(estimate, end), std::max(estimate, end),

@@ -44,18 +44,20 @@ Statistic examinee_level_statistic() {
   return {
       .name = "examinee-level",
       .question = "Do people like these examinees answer above chance?",
-      .title = "examinee-level sign-flip test",
+      .title = "examinee-level test",
       .teaches =
           "The unit is the examinee, not the answer: each one's proportion correct less chance is one "
-          "difference, and the sign-flip permutation test asks whether their mean is 0. So the claim is "
-          "about people like those examined, where the pooled binomial says only that somebody answers above "
-          "chance. It needs deviations that are symmetric when nobody feels anything: chance 1/2 only. For "
-          "other chances, see beta-binomial.",
+          "difference, and the test asks whether their mean is 0. So the claim is about people like those "
+          "examined, where the pooled binomial says only that somebody answers above chance. At chance 1/2, "
+          "where guessing is symmetric, it is the sign-flip permutation test. At another chance the mean is "
+          "divided by its standard error between examinees (by that of guessing where it is larger) and "
+          "compared with what guessing gives; where people's own probabilities differ about chance, p is "
+          "right for many examinees.",
       .inputs = {chance_input(),
                  side_input("greater"),
                  {.name = "resamples",
                   .kind = Input::Kind::Count,
-                  .meaning = "Size of the random sample of patterns, where not all can be counted",
+                  .meaning = "Size of the random sample, where not all patterns can be counted",
                   .usual = std::to_string(SignFlipOptions{}.resamples)},
                  {.name = "seed",
                   .kind = Input::Kind::Seed,
@@ -72,8 +74,9 @@ Statistic examinee_level_statistic() {
                   {"side", "Alternative that was asked for"},
                   {"p", "p value of that side"},
                   {"p_values", "of all three sides"},
-                  {"interval", "for the mean proportion, by inverting the test"},
-                  {"test", "The permutation test on proportions less chance"}},
+                  {"interval",
+                   "for the mean proportion: by inverting the test, or Student's where chance is not 1/2"},
+                  {"test", "The test on proportions less chance"}},
       .example = {{"data", {{"correct", {8, 7, 9, 5, 6, 8}}, {"trials", {10, 10, 10, 10, 10, 10}}}}},
       .run = examinee_level_outcome};
 }

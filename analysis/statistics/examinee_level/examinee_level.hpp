@@ -18,15 +18,15 @@ struct ExamineeLevelTest {
   std::optional<double> standardised{};
   PValues p{};
   Interval interval{};  // for the mean proportion, by inverting the test, cut to 0..1; NaN when all are alike
-  SignFlipTest test{};  // on (proportion - chance)
+  SignFlipTest test{};  // on (proportion - chance); for another chance than 1/2, what guessing_test() gives
   Method method{};
 };
 
-/// Whether examinees as a group depart from chance: a sign-flip permutation test on each one's proportion
-/// correct less 1/2. The unit is the examinee, so the claim is about people like those examined, where the
-/// pooled binomial says only that somebody answered better than by chance. It needs deviations that are
-/// symmetric when nobody feels anything, hence chance 1/2. Throws std::invalid_argument for no examinees,
-/// counts that cannot be, or another chance.
+/// Whether examinees as a group depart from chance. The unit is the examinee, so the claim is about people
+/// like those examined, where the pooled binomial says only that somebody answered better than by chance. At
+/// chance 1/2, where deviations are symmetric when nobody feels anything, a sign-flip permutation test on
+/// each one's proportion correct less 1/2; at any other chance guessing_test(). Throws std::invalid_argument
+/// for no examinees, counts that cannot be, or a chance outside 0 to 1.
 ExamineeLevelTest examinee_level_test(std::span<const ExamineeCount> counts, double chance,
                                       const SignFlipOptions& options = {});
 

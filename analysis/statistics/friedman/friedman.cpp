@@ -2,10 +2,12 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <limits>
 #include <stdexcept>
 
+#include "analysis/numerics/rounding.hpp"
 #include "analysis/resampling/shuffled_rows.hpp"
 
 namespace palpate::analysis {
@@ -18,12 +20,12 @@ struct RankedRow {
 
 RankedRow rank(const std::vector<std::vector<double>>& columns, std::size_t row) {
   RankedRow ranked;
-  for (const std::vector<double>& mine : columns) {
-    long below = 0, alike = 0;
-    for (const std::vector<double>& other : columns) {
-      below += other[row] < mine[row];
-      alike += other[row] == mine[row];
-    }
+  std::vector<double> values;
+  for (const std::vector<double>& column : columns) values.push_back(column[row]);
+  values = settled_values(values);
+  for (const double mine : values) {
+    const long below = std::ranges::count_if(values, [&](double other) { return other < mine; });
+    const long alike = std::ranges::count(values, mine);
     ranked.doubled.push_back(2 * below + alike + 1);
     ranked.ties += static_cast<double>(alike * alike - 1);  // t of them add t (t^2 - 1)
   }
@@ -78,7 +80,7 @@ FriedmanTest friedman_test(const std::vector<std::vector<double>>& columns, cons
     test.ties |= rows.back().ties > 0;
     for (std::size_t j = 0; j < columns.size(); ++j) {
       test.mean_ranks[j] += 0.5 * static_cast<double>(rows.back().doubled[j]) / static_cast<double>(test.n);
-      all_tied &= columns[j][row] == columns.front()[row];
+      all_tied &= rows.back().doubled[j] == rows.back().doubled.front();
     }
   }
   const double w = concordance(rows, everybody);

@@ -22,7 +22,7 @@ struct FriedmanTest {
 };
 
 /// Friedman's rank test of k >= 2 things that each of n >= 2 examinees judged: within each examinee every
-/// order is equally likely. `columns` holds the things, each with a value for each examinee. With nothing but
+/// order is equally likely. Values that are equal but for rounding are ties (settled_values()). `columns` holds the things, each with a value for each examinee. With nothing but
 /// ties p is 1. Kendall's W = chi^2/(n(k - 1)); its percentile bootstrap interval never reaches 0 and lies
 /// too high where W is small. Sources: [Friedman1937], ties as in [Conover1999] section 5.8,
 /// [KendallBabingtonSmith1939]. Throws std::invalid_argument for fewer columns or rows, columns of different

@@ -7,6 +7,7 @@
 
 #include "analysis/description/phrases.hpp"
 #include "analysis/mixed/population.hpp"
+#include "analysis/numerics/rounding.hpp"
 #include "analysis/numerics/to_json.hpp"
 #include "analysis/words/words.hpp"
 
@@ -25,7 +26,7 @@ std::vector<LevelAnswers> read_answers(const DataTable& table) {
         single ? "both single answers and counts" : "neither single answers nor counts"));
   }
   const std::vector<std::string>& examinees = text_column(table, "examinee");
-  const std::vector<double> levels = number_column(table, "level");
+  const std::vector<double> levels = settled_values(number_column(table, "level"));
   const std::vector<long> ones = count_column(table, single ? "response" : "correct");
   const std::vector<long> trials = single ? std::vector<long>(ones.size(), 1) : count_column(table, "trials");
   std::vector<LevelAnswers> answers;
@@ -104,6 +105,25 @@ std::string spread_line(const RandomSpread& spread) {
   return line + "\n";
 }
 
+// Which end of what can be the differences between examinees are at.
+std::string singular_line(const GlmmFit& fit) {
+  if (!fit.singular) return "";
+  constexpr double kNothing = 1e-6;  // of the predictor's scale
+  const RandomSpread& spread = fit.spread;
+  const double slope = spread.slope.value_or(0.0) * fit.standardised.scale;
+  if (spread.correlation && spread.intercept > kNothing && slope > kNothing)
+    return fmt::format(
+        "The correlation between examinees is estimated as {}, the {} that it can be: intercept and slope "
+        "differ together, as one.\n",
+        decimals(*spread.correlation, 0), *spread.correlation < 0 ? "least" : "most");
+  if (!spread.slope) return "The variance between examinees is estimated as 0, the least that it can be.\n";
+  return fmt::format(
+      "The variance of the {} between examinees is estimated as 0, the least that it can be.\n",
+      slope > kNothing              ? "intercept"
+      : spread.intercept > kNothing ? "slope"
+                                    : "intercept and the slope");
+}
+
 std::string in_words(const GlmmAnalysis& result) {
   const auto coefficient = [](const char* name, const Coefficient& of) {
     return fmt::format("{} {} (standard error {}, {} interval {}, {})\n", name, number(of.estimate),
@@ -120,9 +140,7 @@ std::string in_words(const GlmmAnalysis& result) {
                      counted(static_cast<long>(result.examinees), "examinee", "examinees")) +
          (convergence.converged ? "" : "NOT CONVERGED: the estimates are not to be relied on.\n") +
          coefficient("Intercept", result.intercept) + coefficient("Slope", result.slope) +
-         spread_line(result.fit.spread) +
-         (result.fit.singular ? "A variance between examinees is estimated as 0, the least that it can be.\n"
-                              : "") +
+         spread_line(result.fit.spread) + singular_line(result.fit) +
          fmt::format("Slope against 0: chi-squared {}, df {}, {} (likelihood ratio{})\n",
                      number(result.slope_test.chi_squared), result.slope_test.degrees_of_freedom,
                      p_in_words(result.slope_test.p),
@@ -192,7 +210,7 @@ std::vector<Output> glmm_outputs() {
       {"parameters", "Fixed effects and variance parameters"},
       {"aic", "Akaike's criterion"},
       {"convergence",
-       "Whether the fit converged, whether a variance is 0 (singular), the reason, likelihood evaluations, "
+       "Whether the fit converged, whether a variance is 0 or a correlation 1 or -1 (singular), the reason, likelihood evaluations, "
        "and the log-likelihood that was left to gain"}};
 }
 

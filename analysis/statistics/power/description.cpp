@@ -43,6 +43,9 @@ std::string in_words(const PowerCurve& curve, const PowerAsked& asked, const std
       text += fmt::format("Power of {} answers: {}\n", *at, decimals(curve.power[i], 4));
   }
   const SampleSize& size = curve.size;
+  if (curve.never)
+    return text + fmt::format("{} is never reached: {}\n", short_percent(asked.target), *curve.never) +
+           method_line(size.method);
   return text +
          fmt::format("{} is reached first with {}\n", short_percent(asked.target),
                      size_in_words(size, size.first, size.power_at_first)) +
@@ -61,15 +64,16 @@ Outcome power_outcome(const Arguments& asked) {
                          .overdispersion = asked.number("overdispersion")};
   std::optional<long> at;
   if (asked.given("trials")) at = asked.count("trials");
+  const PowerCurve curve = power_curve(power, asked.count("largest"));  // refuses what is no number of each
   if (at && (*at < 1 || *at % power.each != 0 || *at > asked.count("largest"))) {
     throw std::invalid_argument(
         fmt::format("trials is {}; accepted: a multiple of each ({}), at most largest ({})", *at, power.each,
                     asked.count("largest")));
   }
-  const PowerCurve curve = power_curve(power, asked.count("largest"));
   Outcome outcome{.text = in_words(curve, power, at)};
   outcome.json = {{"procedure", "power"}, {"probability", power.probability}};
   outcome.json["power"] = at ? nlohmann::ordered_json(curve.power[*at / power.each - 1]) : nullptr;
+  outcome.json["never"] = curve.never ? nlohmann::ordered_json(*curve.never) : nullptr;
   outcome.json["sample_size"] = to_json(curve.size);
   outcome.json["sawtooth"] = {{"trials", curve.trials}, {"power", curve.power}};
   outcome.json["method"] = to_json(curve.size.method);
@@ -114,6 +118,7 @@ Statistic power_statistic() {
                 .usual = "500"}},
           .outputs = {{"probability", "True proportion correct"},
                       {"power", "of `trials` answers; null where none were named"},
+                      {"never", "why no number of answers has the target; null where one may"},
                       {"sample_size", "first and lasting numbers of answers with the target"},
                       {"sawtooth", "power of every number of answers looked at"}},
           .example = {{"probability", 0.7}, {"trials", 60}, {"each", 4}},

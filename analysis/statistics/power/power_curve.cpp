@@ -2,9 +2,13 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <boost/math/distributions/normal.hpp>
+#include <cmath>
 #include <stdexcept>
 
 #include "analysis/binomial/counts_distribution.hpp"
+#include "analysis/words/words.hpp"
 
 namespace palpate::analysis {
 namespace {
@@ -20,10 +24,11 @@ void validate(const PowerAsked& asked, long largest) {
     throw std::invalid_argument(
         fmt::format("overdispersion is {}; accepted: from 0 (all alike) to below 1", asked.overdispersion));
   }
-  if (asked.each < 1 || largest < asked.each || largest > kMostTrials) {
+  if (largest < 1 || largest > kMostTrials)
+    throw std::invalid_argument(fmt::format("largest is {}; accepted: from 1 to {}", largest, kMostTrials));
+  if (asked.each < 1 || asked.each > largest) {
     throw std::invalid_argument(
-        fmt::format("{} answers of each examinee, at most {} in all; accepted: 1 <= each <= all <= {}",
-                    asked.each, largest, kMostTrials));
+        fmt::format("each is {}; accepted: from 1 to largest ({})", asked.each, largest));
   }
 }
 
@@ -32,6 +37,39 @@ double power_at(const CriticalNumber& critical, const std::vector<double>& count
   for (std::size_t k = 0; k < counts.size(); ++k)
     if (rejects(critical, static_cast<long>(k))) power += counts[k];
   return power;
+}
+
+bool looked_for(const PowerAsked& asked) {
+  if (asked.side == Side::Greater) return asked.probability > asked.chance;
+  if (asked.side == Side::Less) return asked.probability < asked.chance;
+  return asked.probability != asked.chance;
+}
+
+// What the power of ever more answers goes to, where the truth is not what the test looks for and examinees
+// differ: by the normal distribution, whose variance is 1 + (each - 1) gamma times what the test takes it for.
+double power_in_the_end(const PowerAsked& asked) {
+  if (asked.probability != asked.chance) return 0.0;
+  const double tails = asked.side == Side::TwoSided ? 2.0 : 1.0;
+  const boost::math::normal normal;
+  const double critical = quantile(complement(normal, asked.alpha / tails));
+  const double inflation = 1 + static_cast<double>(asked.each - 1) * asked.overdispersion;
+  return tails * cdf(complement(normal, critical / std::sqrt(inflation)));
+}
+
+std::optional<std::string> why_never(const PowerAsked& asked, const SampleSize& size) {
+  if (looked_for(asked) || size.first) return std::nullopt;
+  const bool binomial = asked.overdispersion == 0.0 || asked.each == 1;
+  const double most = binomial ? asked.alpha : power_in_the_end(asked);
+  if (asked.target <= most) return std::nullopt;
+  const std::string place =
+      asked.probability == asked.chance
+          ? "is chance itself"
+          : fmt::format("is {} chance, where the test with side '{}' does not look",
+                        asked.probability < asked.chance ? "below" : "above", name_of(asked.side));
+  return fmt::format("the true proportion {} {}, so that {} {}", percent(asked.probability), place,
+                     binomial ? "no number of answers has more power than alpha,"
+                              : "with more and more answers the power goes to",
+                     number(most));
 }
 
 }  // namespace
@@ -67,6 +105,7 @@ PowerCurve power_curve(const PowerAsked& asked, long largest) {
   }
   size.method = {.name = "exact power of the binomial test",
                  .source = alike ? "Chernick & Liu 2002" : "Brockhoff 2003 (beta-binomial)"};
+  curve.never = why_never(asked, size);
   return curve;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "analysis/binomial/binomial_power.hpp"
@@ -17,7 +19,8 @@ struct PowerAsked {
 struct PowerCurve {
   std::vector<long> trials{};  // each, 2 each, ...
   std::vector<double> power{};
-  SampleSize size{};  // the first size with the target, and the one from which it lasts
+  SampleSize size{};                   // the first size with the target, and the one from which it lasts
+  std::optional<std::string> never{};  // why no size has the target, however large
 };
 
 /// Throws std::invalid_argument unless the numbers are probabilities, 0 <= overdispersion < 1, each >= 1, and

@@ -138,24 +138,27 @@ std::vector<Input> psychometric_inputs() {
 }
 
 std::vector<Output> psychometric_outputs() {
-  return {{"status", "fitted, separable (infinite slope), no rise, or unfit levels"},
-          {"why", "why there is no function; null where fitted"},
-          {"shape", "Form of F"},
-          {"formula", "F in alpha and beta"},
-          {"n", "All answers"},
-          {"guess", "psi far below threshold"},
-          {"threshold", "level x at which F = `at`, and psi there"},
-          {"slope", "dF/dx at the threshold, not scaled by guess and lapse; of_psi: scaled, dpsi/dx"},
-          {"lapse", "lapse rate with its bounds"},
-          {"alpha", "of the formula"},
-          {"beta", "of the formula"},
-          {"pse", "level at F = 0.5; null unless guess is 0"},
-          {"jnd", "guess 0: half the distance from F = 0.25 to F = 0.75; else threshold less standard"},
-          {"weber_fraction", "jnd/standard; null without a standard"},
-          {"log_likelihood", "with the binomial coefficients"},
-          {"deviance", "against a proportion for each block; p by the parametric bootstrap"},
-          {"blocks", "fitted psi, deviance residual, and what changes without the block"},
-          {"bootstrap", "how it was done; null where it was not; the replicates themselves in a shard"}};
+  return {
+      {"status", "fitted, separable (infinite slope), no rise, or unfit levels"},
+      {"why", "why there is no function; null where fitted"},
+      {"shape", "Form of F"},
+      {"formula", "F in alpha and beta"},
+      {"n", "All answers"},
+      {"guess", "psi far below threshold"},
+      {"threshold", "level x at which F = `at`, and psi there"},
+      {"slope", "dF/dx at the threshold, not scaled by guess and lapse; of_psi: scaled, dpsi/dx"},
+      {"lapse", "lapse rate with its bounds"},
+      {"alpha", "of the formula"},
+      {"beta", "of the formula"},
+      {"pse", "level at F = 0.5; null unless guess is 0"},
+      {"jnd", "guess 0: half the distance from F = 0.25 to F = 0.75; else threshold less standard"},
+      {"weber_fraction", "jnd/standard; null without a standard"},
+      {"log_likelihood", "with the binomial coefficients"},
+      {"deviance",
+       "against a proportion for each block; p by the parametric bootstrap; p_chi_squared: null for blocks of "
+       "fewer than 5 trials on the average; by_level: blocks of one level taken together"},
+      {"blocks", "fitted psi, deviance residual, and what changes without the block"},
+      {"bootstrap", "how it was done; null where it was not; the replicates themselves in a shard"}};
 }
 
 }  // namespace

@@ -38,6 +38,13 @@ ordered_json blocks_json(const PsychometricResult& result) {
   return blocks;
 }
 
+ordered_json by_level_json(const std::optional<Deviance>& pooled) {
+  if (!pooled) return nullptr;
+  return {{"estimate", to_json(pooled->value)},
+          {"degrees_of_freedom", to_json(pooled->degrees_of_freedom)},
+          {"p_chi_squared", number_json(pooled->p_chi_squared)}};
+}
+
 long trials_of(const std::vector<Block>& blocks) {
   long sum = 0;
   for (const Block& block : blocks) sum += block.trials;
@@ -76,10 +83,11 @@ ordered_json to_json(const PsychometricResult& result) {
           {"weber_fraction", estimate_json(result.weber)},
           {"log_likelihood", to_json(result.log_likelihood)},
           {"deviance",
-           {{"estimate", to_json(result.deviance)},
-            {"degrees_of_freedom", to_json(result.degrees_of_freedom)},
+           {{"estimate", to_json(result.deviance.value)},
+            {"degrees_of_freedom", to_json(result.deviance.degrees_of_freedom)},
             {"p", number_json(result.p_bootstrap)},
-            {"p_chi_squared", number_json(result.p_chi_squared)}}},
+            {"p_chi_squared", number_json(result.deviance.p_chi_squared)},
+            {"by_level", by_level_json(result.by_level)}}},
           {"blocks", blocks_json(result)}};
 }
 

@@ -117,6 +117,27 @@ void put_status(PsychometricResult& result) {
   }
 }
 
+Deviance judged(const PsychometricResult& result, double deviance, std::size_t summands) {
+  double trials = 0.0;
+  for (const Block& block : result.request.blocks) trials += static_cast<double>(block.trials);
+  const double count = static_cast<double>(summands);
+  Deviance judged{.value = deviance,
+                  .degrees_of_freedom = count - static_cast<double>(free_parameters(result.request.model)),
+                  .trials_each = trials / count};
+  if (result.fit.kind == FitKind::Found && judged.degrees_of_freedom > 0 &&
+      judged.trials_each >= kFewestTrials)
+    judged.p_chi_squared =
+        cdf(complement(boost::math::chi_squared_distribution<>(judged.degrees_of_freedom), judged.value));
+  return judged;
+}
+
+void put_deviances(PsychometricResult& result, const Design& design, const std::vector<double>& correct) {
+  const double height = result.fit.log_likelihood;
+  const std::size_t blocks = correct.size(), levels = design.group.size() - 1;
+  result.deviance = judged(result, deviance_of(design, correct, height), blocks);
+  if (levels < blocks) result.by_level = judged(result, pooled_deviance_of(design, correct, height), levels);
+}
+
 }  // namespace
 
 PsychometricResult psychometric_result(const PsychometricRequest& request, const Fitter* fitter,
@@ -127,7 +148,8 @@ PsychometricResult psychometric_result(const PsychometricRequest& request, const
     result.why_not = unfit_levels(request.blocks, request.model);
     const Interval none{.lower = kNone, .upper = kNone, .level = request.level, .method = "none"};
     result.threshold = result.slope = result.lapse = {.value = kNone, .interval = none};
-    result.log_likelihood = result.deviance = result.degrees_of_freedom = kNone;
+    result.log_likelihood = kNone;
+    result.deviance = {.value = kNone, .degrees_of_freedom = kNone, .trials_each = kNone};
     return result;
   }
   put_status(result);
@@ -139,15 +161,10 @@ PsychometricResult psychometric_result(const PsychometricRequest& request, const
   put_discrimination(result, intervals);
   const auto correct = correct_in(fitter->design(), request.blocks);
   result.log_likelihood = fit.log_likelihood + log_coefficients(request.blocks);
-  result.deviance = deviance_of(fitter->design(), correct, fit.log_likelihood);
-  result.degrees_of_freedom =
-      static_cast<double>(std::ssize(request.blocks) - free_parameters(request.model));
-  if (fit.kind == FitKind::Found && result.degrees_of_freedom > 0) {
-    const boost::math::chi_squared_distribution<> limit(result.degrees_of_freedom);
-    result.p_chi_squared = cdf(complement(limit, result.deviance));
-    if (request.bootstrap == Bootstrap::Parametric && !replicates.empty())
-      result.p_bootstrap = deviance_p(replicates, result.deviance);
-  }
+  put_deviances(result, fitter->design(), correct);
+  if (fit.kind == FitKind::Found && result.deviance.degrees_of_freedom > 0 &&
+      request.bootstrap == Bootstrap::Parametric && !replicates.empty())
+    result.p_bootstrap = deviance_p(replicates, result.deviance.value);
   result.blocks = block_influence(request.blocks, request.model, fit);
   return result;
 }

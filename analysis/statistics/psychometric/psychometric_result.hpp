@@ -14,6 +14,19 @@ struct MeasureEstimate {
   Interval interval{};
 };
 
+/// What a block or a level holds on the average for its deviance to be near the chi-squared distribution.
+inline constexpr double kFewestTrials = 5.0;
+
+/// A deviance with its p by the chi-squared distribution, which is none where it has no degree of freedom or
+/// what it is summed over holds fewer than kFewestTrials: the deviance of such is not near that
+/// distribution, however many they are.
+struct Deviance {
+  double value = 0.0;
+  double degrees_of_freedom = 0.0;
+  double trials_each = 0.0;  // on the average
+  std::optional<double> p_chi_squared{};
+};
+
 /// What `psychometric` found, ready to be written as JSON and as text.
 struct PsychometricResult {
   PsychometricRequest request{};
@@ -22,10 +35,10 @@ struct PsychometricResult {
   PsychometricFit fit{};
   MeasureEstimate threshold{}, slope{}, lapse{};
   std::optional<MeasureEstimate> pse{}, jnd{}, weber{};
-  double log_likelihood = 0.0;  // with the binomial coefficients
-  double deviance = 0.0;
-  double degrees_of_freedom = 0.0;
-  std::optional<double> p_bootstrap{}, p_chi_squared{};
+  double log_likelihood = 0.0;          // with the binomial coefficients
+  Deviance deviance{};                  // over blocks
+  std::optional<Deviance> by_level{};   // over levels, where some level has several blocks
+  std::optional<double> p_bootstrap{};  // of the deviance over blocks
   std::vector<BlockInfluence> blocks{};
 };
 

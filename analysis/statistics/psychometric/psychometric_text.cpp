@@ -57,19 +57,33 @@ std::string discrimination_lines(const PsychometricResult& result) {
   return lines;
 }
 
+std::string chi_squared_words(const Deviance& deviance, const std::string& each) {
+  if (deviance.p_chi_squared)
+    return fmt::format("; {} by the chi-squared distribution, an approximation",
+                       p_in_words(*deviance.p_chi_squared));
+  if (deviance.degrees_of_freedom > 0 && deviance.trials_each < kFewestTrials)
+    return fmt::format("; the chi-squared distribution does not hold for {} a {} on the average",
+                       deviance.trials_each == 1 ? "one trial" : number(deviance.trials_each) + " trials",
+                       each);
+  return "";
+}
+
+std::string degrees_words(const Deviance& deviance) {
+  return fmt::format("{} on {} of freedom", number(deviance.value),
+                     counted(static_cast<long>(deviance.degrees_of_freedom), "degree", "degrees"));
+}
+
 std::string deviance_line(const PsychometricResult& result) {
-  std::string line = fmt::format("Deviance {} on {}", number(result.deviance),
-                                 counted(static_cast<long>(result.degrees_of_freedom), "degree", "degrees")) +
-                     " of freedom";
+  std::string line = "Deviance " + degrees_words(result.deviance);
   if (result.p_bootstrap) {
     line += fmt::format("; {} among {} parametric bootstrap replicates", p_in_words(*result.p_bootstrap),
                         result.request.replicates);
   }
-  if (result.p_chi_squared) {
-    line += fmt::format("; {} by the chi-squared distribution, an approximation",
-                        p_in_words(*result.p_chi_squared));
-  }
-  return line + '\n';
+  line += chi_squared_words(result.deviance, "block") + '\n';
+  if (result.by_level)
+    line += "Blocks of one level taken together: deviance " + degrees_words(*result.by_level) +
+            chi_squared_words(*result.by_level, "level") + '\n';
+  return line;
 }
 
 std::string block_table(const PsychometricResult& result) {

@@ -2,12 +2,14 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "analysis/description/phrases.hpp"
 #include "analysis/description/read_number.hpp"
 #include "analysis/numerics/to_json.hpp"
 #include "analysis/psychometric/bayes.hpp"
+#include "analysis/psychometric/fit.hpp"
 #include "analysis/psychometric/request.hpp"
 #include "analysis/words/words.hpp"
 
@@ -39,6 +41,19 @@ ordered_json unanswered(const std::string& why) {
   return {{"procedure", "psychometric-bayes"}, {"status", "unfit levels"}, {"why", why}};
 }
 
+// As `psychometric` judges it: whether a slope of 0 is as likely as any other.
+bool rises(const std::vector<Block>& blocks, Shape shape, const std::optional<double>& guess) {
+  PsychometricModel model{.shape = shape, .guess = guess.value_or(0.0)};
+  if (!guess || unfit_levels(blocks, model)) model.lapse_upper = 0;
+  model.lapse_upper = std::min(model.lapse_upper, 0.5 * (1 - model.guess));
+  const Design design = make_design(blocks, model);
+  return fit_psychometric(design, correct_in(design, blocks)).kind != FitKind::Flat;
+}
+
+constexpr const char* kNoRise =
+    "the answers do not rise with the level: a slope of 0 is as likely as any other, and what is given of "
+    "threshold and width is the priors' saying";
+
 Outcome psychometric_bayes_outcome(const Arguments& asked) {
   const std::vector<Block> blocks = blocks_of(asked.table);
   const Shape shape = shape_from_name(asked.text("shape"));
@@ -50,10 +65,11 @@ Outcome psychometric_bayes_outcome(const Arguments& asked) {
     none.json["method"] = to_json(method);
     return none;
   }
+  const bool rising = rises(blocks, shape, guess);
   const BayesianFit fit = bayesian_psychometric(blocks, shape, guess, asked.level());
   Outcome outcome{.json = {{"procedure", "psychometric-bayes"},
-                           {"status", "fitted"},
-                           {"why", nullptr},
+                           {"status", rising ? "fitted" : "no rise"},
+                           {"why", rising ? ordered_json(nullptr) : ordered_json(kNoRise)},
                            {"shape", name_of(shape)},
                            {"threshold", posterior_json(fit.threshold)},
                            {"width", posterior_json(fit.width)},
@@ -64,6 +80,7 @@ Outcome psychometric_bayes_outcome(const Arguments& asked) {
                            {"grid", fit.grid},
                            {"method", to_json(method)}}};
   outcome.text =
+      (rising ? "" : fmt::format("No rise: {}.\n", kNoRise)) +
       posterior_line("Threshold (level at F = 0.5)", fit.threshold) +
       posterior_line(on_log_levels(shape) ? "Width (from F = 0.05 to F = 0.95, in log level)"
                                           : "Width (from F = 0.05 to F = 0.95)",
@@ -98,7 +115,7 @@ Statistic psychometric_bayes_statistic() {
                       .meaning = "Posterior probability of the credible intervals",
                       .usual = "0.95"}},
           .data = block_data(),
-          .outputs = {{"status", "fitted or unfit levels"},
+          .outputs = {{"status", "fitted, no rise, or unfit levels"},
                       {"why", "why there is no function; null where fitted"},
                       {"shape", "Form of F"},
                       {"threshold", "level at F = 0.5: posterior mean, mode, credible interval"},

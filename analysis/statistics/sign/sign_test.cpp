@@ -11,6 +11,7 @@
 #include "analysis/binomial/critical_number.hpp"
 #include "analysis/numerics/infinity.hpp"
 #include "analysis/numerics/proportion_interval.hpp"
+#include "analysis/numerics/rounding.hpp"
 
 namespace palpate::analysis {
 namespace {
@@ -49,16 +50,17 @@ SignTest sign_test_of_counts(long positive, long negative, double level) {
   return test;
 }
 
-SignTest sign_test(std::span<const double> differences, double level) {
-  if (differences.empty()) throw std::invalid_argument("no differences; the sign test needs at least 1");
+SignTest sign_test(std::span<const double> given, double level) {
+  if (given.empty()) throw std::invalid_argument("no differences; the sign test needs at least 1");
   require_level(level, "confidence level");
-  for (const double difference : differences) require_finite(difference, "difference");
+  for (const double difference : given) require_finite(difference, "difference");
+  const std::vector<double> differences = settled_differences(given);
   const auto positive = std::ranges::count_if(differences, [](double d) { return d > 0; });
   const auto negative = std::ranges::count_if(differences, [](double d) { return d < 0; });
   SignTest test = sign_test_of_counts(positive, negative, level);
   test.n = differences.size();
   test.zeros = static_cast<long>(test.n) - positive - negative;
-  std::vector<double> sorted(differences.begin(), differences.end());
+  std::vector<double> sorted = differences;
   std::ranges::sort(sorted);
   const std::size_t middle = sorted.size() / 2;
   test.median = sorted.size() % 2 == 1 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;

@@ -19,8 +19,9 @@ struct SignTest {
 
 /// Exact sign test: of the differences that are not zero, half are positive. Zeros are left out of the test
 /// and kept in the median and its interval. With nothing but zeros p is 1. Throws std::invalid_argument for
-/// no differences or one that is not finite. Source: [Conover1999].
-SignTest sign_test(std::span<const double> differences, double level = 0.95);
+/// no differences or one that is not finite. Differences of 0 but for rounding are zeros
+/// (settled_differences()). Source: [Conover1999].
+SignTest sign_test(std::span<const double> given, double level = 0.95);
 
 /// The same from counts: there is then no median, and its interval is empty (both ends NaN).
 SignTest sign_test_of_counts(long positive, long negative, double level = 0.95);

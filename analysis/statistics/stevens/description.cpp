@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "analysis/description/phrases.hpp"
+#include "analysis/numerics/rounding.hpp"
 #include "analysis/numerics/to_json.hpp"
 #include "analysis/statistics/stevens/stevens.hpp"
 #include "analysis/words/words.hpp"
@@ -14,7 +15,7 @@ using nlohmann::ordered_json;
 
 std::vector<MagnitudeEstimate> read_estimates(const DataTable& table) {
   const std::vector<std::string>& examinees = text_column(table, "examinee");
-  const std::vector<double> levels = number_column(table, "level");
+  const std::vector<double> levels = settled_values(number_column(table, "level"));
   const std::vector<double> values = number_column(table, "estimate");
   std::vector<MagnitudeEstimate> estimates;
   for (std::size_t row = 0; row < values.size(); ++row) {

@@ -10,6 +10,9 @@
 #include <limits>
 #include <numeric>
 #include <stdexcept>
+#include <vector>
+
+#include "analysis/numerics/rounding.hpp"
 
 namespace palpate::analysis {
 namespace {
@@ -50,10 +53,11 @@ void validate(std::span<const double> differences, double level) {
   }
   for (const double difference : differences) require_finite(difference, "difference");
   require_level(level, "confidence level");
-  if (std::ranges::all_of(differences, [&](double d) { return d == differences.front(); })) {
-    throw std::invalid_argument(
-        fmt::format("all differences are {}; the t-test needs some that differ", differences.front()));
-  }
+  const std::vector<double> settled = settled_differences(differences);
+  if (!std::ranges::all_of(settled, [&](double d) { return d == settled.front(); })) return;
+  const bool rounded = std::ranges::any_of(differences, [&](double d) { return d != differences.front(); });
+  throw std::invalid_argument(fmt::format("all differences are {}{}; the t-test needs some that differ",
+                                          settled.front(), rounded ? " but for rounding" : ""));
 }
 
 }  // namespace

@@ -21,7 +21,8 @@ struct PairedTTest {
 /// Student's t-test that the mean of paired differences is 0. The effect size is Cohen's d_z; its interval
 /// holds the d_z for which t lies within the two tails of the noncentral t distribution with noncentrality
 /// d_z sqrt(n). Sources: [Student1908], [CummingFinch2001]. Throws std::invalid_argument for fewer than 2
-/// differences, one that is not finite, or differences that are all equal.
+/// differences, one that is not finite, or differences that are all equal, or equal but for
+/// rounding (settled_differences()).
 PairedTTest paired_t_test(std::span<const double> differences, double level = 0.95);
 
 }  // namespace palpate::analysis

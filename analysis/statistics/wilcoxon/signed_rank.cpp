@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "analysis/numerics/infinity.hpp"
+#include "analysis/numerics/rounding.hpp"
 #include "analysis/resampling/sign_sums.hpp"
 
 namespace palpate::analysis {
@@ -146,8 +147,9 @@ std::string_view name_of(Zeros zeros) {
   return zeros == Zeros::Drop ? "drop" : "pratt";
 }
 
-SignedRankTest signed_rank_test(std::span<const double> differences, Zeros zeros, double level) {
-  validate_ranks(differences, level);
+SignedRankTest signed_rank_test(std::span<const double> given, Zeros zeros, double level) {
+  validate_ranks(given, level);
+  const std::vector<double> differences = settled_differences(given);
   const Ranks ranks = rank(differences, zeros);
   SignedRankTest test{.n = differences.size(),
                       .zeros = differences.size() - ranks.doubled.size(),
@@ -168,9 +170,9 @@ SignedRankTest signed_rank_test(std::span<const double> differences, Zeros zeros
   return test;
 }
 
-Interval rank_biserial_interval(std::span<const double> differences, Zeros zeros,
-                                const BootstrapOptions& options) {
-  validate_ranks(differences, options.level);
+Interval rank_biserial_interval(std::span<const double> given, Zeros zeros, const BootstrapOptions& options) {
+  validate_ranks(given, options.level);
+  const std::vector<double> differences = settled_differences(given);
   std::vector<double> drawn(differences.size());
   const auto statistic = [&](std::span<const std::size_t> chosen) {
     std::ranges::transform(chosen, drawn.begin(), [&](std::size_t i) { return differences[i]; });

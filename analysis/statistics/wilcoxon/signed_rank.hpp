@@ -35,13 +35,13 @@ struct SignedRankTest {
 /// Wilcoxon's signed-rank test of a distribution of differences that is symmetric about zero. Equal
 /// magnitudes share their mean rank, and the distribution is the exact one given these ranks (all signs
 /// equally likely), up to 500 differences that are not zero; beyond that the normal approximation. The
-/// interval is conservative where there are ties. Throws std::invalid_argument for no differences, more than
-/// 5000, or one that is not finite.
-SignedRankTest signed_rank_test(std::span<const double> differences, Zeros zeros, double level = 0.95);
+/// interval is conservative where there are ties. Differences that are equal but for rounding are ties
+/// (settled_differences()). Throws std::invalid_argument for no differences, more than 5000, or one that is
+/// not finite.
+SignedRankTest signed_rank_test(std::span<const double> given, Zeros zeros, double level = 0.95);
 
 /// Percentile bootstrap interval for the rank-biserial correlation, over the differences. See
 /// bootstrap_interval.
-Interval rank_biserial_interval(std::span<const double> differences, Zeros zeros,
-                                const BootstrapOptions& options);
+Interval rank_biserial_interval(std::span<const double> given, Zeros zeros, const BootstrapOptions& options);
 
 }  // namespace palpate::analysis

@@ -27,6 +27,8 @@ void print_text(const VerifyOptions& options, const trials::VerifyReport& report
                trials::to_string(part.receipt));
   for (const std::string& problem : report.problems) fmt::print("  {}\n", problem);
   for (const std::string& note : report.notes) fmt::print("  note: {}\n", note);
+  for (const trials::ClockStep& step : report.clock_steps)
+    fmt::print("  note: {}; the chain tells the order all the same\n", in_words(step));
   if (report.problems.empty())
     fmt::print("whole: database, schema, hashes, chain, order and traces fit together{}\n",
                options.receipt.empty() ? "" : ", and so does the receipt");
@@ -35,6 +37,13 @@ void print_text(const VerifyOptions& options, const trials::VerifyReport& report
         "without a receipt (--receipt), cutting back at the end or rewriting from the start cannot be "
         "seen\n");
   if (!report.receipt.head.empty()) fmt::print("receipt {}\n", trials::to_string(report.receipt));
+}
+
+nlohmann::ordered_json clock_steps_json(const std::vector<trials::ClockStep>& steps) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const trials::ClockStep& step : steps)
+    json.push_back({{"entry", step.entry}, {"from_utc", step.before_utc}, {"to_utc", step.after_utc}});
+  return json;
 }
 
 void run_verify(const VerifyOptions& options) {
@@ -50,6 +59,7 @@ void run_verify(const VerifyOptions& options) {
                 {"answers", report.answers},
                 {"voided", report.voided},
                 {"presentations", report.presentations},
+                {"clock_set_back", clock_steps_json(report.clock_steps)},
                 {"parts", parts_json(report.parts)},
                 {"receipt", report.receipt.head.empty()
                                 ? nlohmann::ordered_json()

@@ -24,12 +24,6 @@ TEST(ExamineeLevelStatistic, AgreesWithScipy) {
   EXPECT_EQ(json["side"], "greater");
 }
 
-TEST(ExamineeLevelStatistic, SaysThatItNeedsAnEvenChance) {
-  auto thirds = asked({8, 7}, {10, 10});
-  thirds["chance"] = "1/3";
-  EXPECT_THAT(refusal_of("examinee-level", thirds), HasSubstr("needs chance 1/2"));
-}
-
 TEST(BetaBinomialStatistic, SaysWhereSpreadCannotBeTold) {
   const Outcome outcome = run_statistic("beta-binomial", asked({4, 5, 3}, {10, 10, 10}));
   EXPECT_TRUE(outcome.json["gamma"]["estimate"].is_null());

@@ -87,3 +87,31 @@ TEST(GlmmAnalysis, RecoversWhatWasSimulated) {
   // Maximum likelihood is low by a factor of about 1 - 3/(4 * 20); the standard error of the mean is 0.006.
   EXPECT_NEAR(sum_spread / kStudies, 0.48, 0.025);
 }
+
+// The same answers at levels in another unit, counted from another origin.
+TEST(GlmmAnalysis, DoesNotHangOnUnitOrOriginOfTheLevel) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> power(-12, 12), shift(-1000, 1000);
+  for (const GlmmOptions& options :
+       {GlmmOptions{.nodes = 9}, GlmmOptions{.random = RandomEffects::Slope, .nodes = 5}}) {
+    const GlmmAnalysis here = glmm_analysis(eight_examinees(), options);
+    for (int i = 0; i < 5; ++i) {
+      const double unit = std::pow(10.0, power(random)), origin = unit * shift(random);
+      SCOPED_TRACE(testing::Message() << "unit " << unit << ", origin " << origin);
+      std::vector<LevelAnswers> moved = eight_examinees();
+      for (LevelAnswers& row : moved) row.level = origin + unit * row.level;
+      const GlmmAnalysis there = glmm_analysis(moved, options);
+      const auto of_level = [&](double level) { return (origin + unit * level) / unit; };
+      EXPECT_NEAR(there.fit.log_likelihood, here.fit.log_likelihood, 1e-9);
+      EXPECT_NEAR(there.slope_test.chi_squared, here.slope_test.chi_squared, 1e-8);
+      EXPECT_NEAR(there.slope.p, here.slope.p, 1e-8);
+      EXPECT_NEAR(there.slope.estimate * unit, here.slope.estimate, 1e-7);
+      EXPECT_NEAR(there.slope.standard_error * unit, here.slope.standard_error, 1e-6);
+      EXPECT_NEAR(there.pse.estimate / unit, of_level(here.pse.estimate), 1e-7);
+      EXPECT_NEAR(there.pse.standard_error / unit, here.pse.standard_error, 1e-6);
+      EXPECT_NEAR(there.pse.interval.lower / unit, of_level(here.pse.interval.lower), 1e-6);
+      EXPECT_NEAR(there.pse.interval.upper / unit, of_level(here.pse.interval.upper), 1e-6);
+      EXPECT_NEAR(there.jnd.interval.upper / unit, here.jnd.interval.upper, 1e-6);
+    }
+  }
+}

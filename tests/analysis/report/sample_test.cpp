@@ -93,6 +93,38 @@ TEST(Sample, GoesByTheTimeOfCompletion) {
   EXPECT_EQ(report.cells[0].correct, 52 - 2 + 4);
 }
 
+// Inside a file the chain tells the order: session 15 sits last, with the clock set back by a day.
+TEST(Sample, GoesByTheChainWhateverTheClockSays) {
+  StudyTable table = with_more(1);
+  std::int64_t entry = 0;
+  for (TrialRow& trial : table.trials) {
+    trial.written.entry = ++entry;
+    trial.answered_utc = trial.session == 15 ? "2003-12-02T00:00:00.000Z" : "2003-12-03T00:00:00.000Z";
+  }
+  const StudyReport report = analyse(table);
+  EXPECT_EQ(report.cells[0].by_examinee[15].trials, 0);
+  EXPECT_EQ(report.cells[0].correct, 52);
+}
+
+// Two files joined, the second with the clock set back in the middle: its answers keep their order among each
+// other, and stand between those of the first by the latest time that their own clock had shown.
+TEST(Sample, JoinsChainsByTheClockWithoutBreakingTheirOrder) {
+  StudyTable table = with_more(1);
+  std::int64_t entry = 0;
+  for (TrialRow& trial : table.trials) {
+    trial.written = {.chain = trial.session < 8 ? std::size_t{0} : std::size_t{1}, .entry = ++entry};
+    trial.answered_utc = trial.session < 8     ? "2003-12-05T00:00:00.000Z"
+                         : trial.session == 8  ? "2003-12-04T00:00:00.000Z"
+                         : trial.session == 15 ? "2003-12-06T00:00:00.000Z"
+                                               : "2003-12-03T00:00:00.000Z";
+  }
+  const StudyReport report = analyse(table);
+  EXPECT_EQ(report.cells[0].by_examinee[15].trials, 0);
+  EXPECT_EQ(report.cells[0].correct, 52);
+  table.design.planned_examinees = 1;
+  EXPECT_EQ(analyse(table).cells[0].by_examinee[8].trials, 4);  // the first of the second file
+}
+
 TEST(Sample, LeavesOutTheUnfinishedAndWhatCameAfterCompletion) {
   StudyTable table = with_more(1);
   cut_short(table, 3, 2);  // so the 16th is the 15th to complete

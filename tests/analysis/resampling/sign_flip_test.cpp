@@ -134,5 +134,5 @@ TEST(ExamineeLevel, CannotSpeakFromOneExaminee) {
   EXPECT_EQ(test.p.greater, 0.5);
   EXPECT_EQ(test.interval.lower, 0.0);
   EXPECT_EQ(test.interval.upper, 1.0);
-  EXPECT_THROW(examinee_level_test(std::vector<ExamineeCount>{{1, 3}}, 1.0 / 3), std::invalid_argument);
+  EXPECT_THROW(examinee_level_test(std::vector<ExamineeCount>{{1, 3}}, 1.0), std::invalid_argument);
 }

@@ -63,3 +63,21 @@ TEST(GlmmStatistic, SaysFirstThatAFitDidNotConverge) {
   EXPECT_TRUE(outcome.json["slope"]["standard_error"].is_null());
   EXPECT_TRUE(outcome.json["pse"]["interval"]["lower"].is_null());
 }
+
+// Everybody's function passes through 1/2 at level 3, and some are steeper: whoever answers 1 more often below
+// does so less often above. R lme4's word for it is a singular fit with a correlation of -1.
+TEST(GlmmStatistic, NamesTheCorrelationThatIsAtItsEnd) {
+  const nlohmann::ordered_json asked = {
+      {"data",
+       {{"examinee", {"a", "a", "a", "a", "a", "b", "b", "b", "b", "b", "c", "c", "c", "c", "c"}},
+        {"level", {1, 2, 3, 4, 5, 1, 2, 3, 4, 5, 1, 2, 3, 4, 5}},
+        {"correct", {1, 5, 20, 35, 39, 10, 15, 20, 25, 30, 4, 10, 20, 30, 36}},
+        {"trials", {40, 40, 40, 40, 40, 40, 40, 40, 40, 40, 40, 40, 40, 40, 40}}}},
+      {"random", "slope"}};
+  const Outcome outcome = run_statistic("glmm", asked);
+  EXPECT_EQ(outcome.json["convergence"]["singular"], true);
+  EXPECT_NEAR(outcome.json["between_examinees"]["correlation"], -1, 1e-9);
+  EXPECT_GT(outcome.json["between_examinees"]["slope_sd"], 0.1);
+  EXPECT_THAT(outcome.text, HasSubstr("The correlation between examinees is estimated as -1, the least"));
+  EXPECT_THAT(outcome.text, testing::Not(HasSubstr("estimated as 0")));
+}

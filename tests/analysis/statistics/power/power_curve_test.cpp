@@ -1,10 +1,14 @@
 #include "analysis/statistics/power/power_curve.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
 #include "analysis/binomial/counts_distribution.hpp"
+#include "tests/analysis/support/ask.hpp"
+
+using testing::HasSubstr;
 
 namespace palpate::analysis {
 
@@ -48,6 +52,38 @@ TEST(PowerCurve, RefusesWhatIsNoQuestion) {
   EXPECT_THROW(power_curve({.overdispersion = 1.0}, 100), std::invalid_argument);
   EXPECT_THROW(power_curve({.each = 0}, 100), std::invalid_argument);
   EXPECT_THROW(power_curve({.each = 8}, 4), std::invalid_argument);
+}
+
+TEST(PowerStatistic, RefusesExamineesWithoutAnswers) {
+  EXPECT_THAT(refusal_of("power", {{"probability", 0.7}, {"trials", 60}, {"each", 0}}),
+              HasSubstr("each is 0; accepted: from 1 to largest (500)"));
+}
+
+// P(X >= k) rises with the probability: where that is at or below chance, it is at most alpha.
+TEST(PowerStatistic, SaysThatATargetIsNeverReachedAndWhy) {
+  for (const auto& [probability, side, place] :
+       {std::tuple(0.5, "greater", "is chance itself"), std::tuple(0.5, "two-sided", "is chance itself"),
+        std::tuple(0.4, "greater", "is below chance, where the test with side 'greater' does not look"),
+        std::tuple(0.6, "less", "is above chance, where the test with side 'less' does not look")}) {
+    const Outcome outcome = run_statistic("power", {{"probability", probability}, {"side", side}});
+    EXPECT_THAT(outcome.text, HasSubstr("80 % is never reached: the true proportion"));
+    EXPECT_THAT(outcome.text, HasSubstr(place));
+    EXPECT_THAT(outcome.text, HasSubstr("no number of answers has more power than alpha, 0.05"));
+    EXPECT_THAT(outcome.json["never"].get<std::string>(), HasSubstr(place));
+  }
+  EXPECT_TRUE(run_statistic("power", {{"probability", 0.51}}).json["never"].is_null());
+  EXPECT_THAT(run_statistic("power", {{"probability", 0.51}}).text,
+              HasSubstr("80 % is reached first with more than 500"));
+  EXPECT_TRUE(run_statistic("power", {{"probability", 0.5}, {"target", 0.04}}).json["never"].is_null());
+}
+
+// Where examinees differ the test rejects chance more often than it promises.
+// R: pnorm(qnorm(0.95)/sqrt(1 + 7*0.3), lower.tail = FALSE) = 0.1750967
+TEST(PowerStatistic, SaysWhereThePowerOfUnlikeExamineesGoes) {
+  const nlohmann::ordered_json asked = {{"probability", 0.5}, {"each", 8}, {"overdispersion", 0.3}};
+  EXPECT_THAT(run_statistic("power", asked).text, HasSubstr("the power goes to 0.1751"));
+  EXPECT_NEAR(power_curve({.probability = 0.5, .each = 8, .overdispersion = 0.3}, 8000).power.back(),
+              0.1750967, 0.005);  // one tooth of 8000 answers
 }
 
 }  // namespace palpate::analysis

@@ -171,3 +171,41 @@ TEST(PsychometricBayesStatistic, SaysAsAValueWhyThereIsNoFunction) {
   request["guess"] = "some";
   EXPECT_THAT(refusal_of("psychometric-bayes", request), HasSubstr("guess is 'some'; accepted: free"));
 }
+
+TEST(PsychometricStatistic, TakesBlocksOfOneLevelTogetherForTheChiSquaredDistribution) {
+  const std::vector<int> correct{26, 30, 38, 46, 49, 50};
+  nlohmann::ordered_json single = {{"level", {}}, {"correct", {}}, {"trials", {}}}, pooled = single;
+  for (int level = 1; level <= 6; ++level) {
+    pooled["level"].push_back(level);
+    pooled["correct"].push_back(correct[level - 1]);
+    pooled["trials"].push_back(50);
+    for (int trial = 0; trial < 50; ++trial) {
+      single["level"].push_back(level);
+      single["correct"].push_back(trial < correct[level - 1] ? 1 : 0);
+      single["trials"].push_back(1);
+    }
+  }
+  const Outcome one = run_statistic("psychometric", {{"data", single}, {"replicates", 0}});
+  const Outcome all = run_statistic("psychometric", {{"data", pooled}, {"replicates", 0}});
+  EXPECT_TRUE(one.json["deviance"]["p_chi_squared"].is_null());
+  EXPECT_NEAR(one.json["deviance"]["by_level"]["p_chi_squared"], all.json["deviance"]["p_chi_squared"], 1e-9);
+  EXPECT_EQ(one.json["deviance"]["by_level"]["degrees_of_freedom"], 3);
+  EXPECT_THAT(one.text, HasSubstr("does not hold for one trial a block on the average"));
+  EXPECT_TRUE(all.json["deviance"]["by_level"].is_null());
+}
+
+TEST(PsychometricBayesStatistic, SaysThatAnswersDoNotRise) {
+  const auto asked = [](const nlohmann::ordered_json& correct, const char* guess) {
+    return nlohmann::ordered_json{
+        {"data", {{"level", {1, 2, 3, 4, 5}}, {"correct", correct}, {"trials", {10, 10, 10, 10, 10}}}},
+        {"guess", guess}};
+  };
+  for (const char* guess : {"1/2", "0", "free"}) {
+    const Outcome falling = run_statistic("psychometric-bayes", asked({10, 9, 7, 6, 5}, guess));
+    EXPECT_EQ(falling.json["status"], "no rise") << guess;
+    EXPECT_THAT(falling.text, HasSubstr("No rise: the answers do not rise with the level")) << guess;
+    const Outcome rising = run_statistic("psychometric-bayes", asked({5, 6, 7, 9, 10}, guess));
+    EXPECT_EQ(rising.json["status"], "fitted") << guess;
+    EXPECT_TRUE(rising.json["why"].is_null());
+  }
+}
