@@ -207,7 +207,10 @@ namespace {
 
 analysis::FrozenPlan frozen_plan_of(const trials::EventRow& event) {
   const auto plan = nlohmann::json::parse(event.text, nullptr, false);
-  const auto text = [&](const char* key) { return plan.is_object() ? plan.value(key, "") : std::string(); };
+  const auto text = [&](const char* key) {
+    const bool given = plan.is_object() && plan.contains(key) && plan[key].is_string();
+    return given ? plan[key].get<std::string>() : std::string();
+  };
   return {.sha256 = base::sha256_hex(event.text),
           .frozen_utc = event.utc,
           .software_version = text("software_version")};

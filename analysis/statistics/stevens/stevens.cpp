@@ -44,14 +44,7 @@ bool has_two_levels(const std::vector<Point>& points) {
 ByExaminee group(const std::vector<MagnitudeEstimate>& estimates) {
   ByExaminee grouped;
   for (const MagnitudeEstimate& one : estimates) {
-    require_finite(one.level, "level");
-    require_finite(one.estimate, "estimate");
-    if (one.level <= 0 || one.estimate <= 0) {
-      throw std::invalid_argument(fmt::format(
-          "level {} was judged {} by '{}'; a power law needs both above 0: say beforehand what is "
-          "done about estimates of 0",
-          one.level, one.estimate, one.examinee));
-    }
+    validate(one);
     grouped[one.examinee].push_back({.x = std::log(one.level), .y = std::log(one.estimate)});
   }
   return grouped;
@@ -107,6 +100,16 @@ std::optional<ExponentsOfExaminees> exponents_of(const ByExaminee& grouped, doub
 }
 
 }  // namespace
+
+void validate(const MagnitudeEstimate& one) {
+  require_finite(one.level, "level");
+  require_finite(one.estimate, "estimate");
+  if (one.level > 0 && one.estimate > 0) return;
+  throw std::invalid_argument(
+      fmt::format("level {} was judged {} by '{}'; a power law needs both above 0: say beforehand what is "
+                  "done about estimates of 0",
+                  one.level, one.estimate, one.examinee));
+}
 
 StevensFit stevens_fit(const std::vector<MagnitudeEstimate>& estimates, double level) {
   require_level(level, "confidence level");

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "sim/mesh/name_groups.hpp"
+
 namespace palpate::app {
 namespace {
 
@@ -37,7 +39,7 @@ std::string text_of_groups(const sim::TetMesh& mesh) {
   for (const auto& [name, nodes] : mesh.node_groups)
     text +=
         fmt::format("  {:<{}}  {:>7} {}\n", name, width, nodes.size(), nodes.size() == 1 ? "node" : "nodes");
-  if (mesh.node_groups.empty()) text += "  none\n";
+  if (mesh.node_groups.empty()) text += fmt::format("  none: {}\n", sim::kHowToNameGroups);
   if (mesh.region_names.empty()) return text;
   text += "Regions\n";
   for (const auto& [name, count] : count_regions(mesh))
