@@ -10,6 +10,7 @@
 
 #include "app/study/look_log.hpp"
 #include "base/files/sha256.hpp"
+#include "base/text/counted.hpp"
 #include "trials/study/answered_trials.hpp"
 #include "trials/study/merged_part.hpp"
 
@@ -227,8 +228,9 @@ analysis::StudyTable read_study_table(const trials::StudyFile& study, bool curve
     if (const auto look = look_of(event)) table.looks.push_back(*look);
   }
   for (const trials::MergedPart& part : trials::merged_parts(events))
-    table.notes.push_back(fmt::format("Joined from the study file {}{}: {} sittings, receipt {}.", part.file,
-                                      part.site.empty() ? "" : " of the site " + part.site, part.sessions,
+    table.notes.push_back(fmt::format("Joined from the study file {}{}: {}, receipt {}.", part.file,
+                                      part.site.empty() ? "" : " of the site " + part.site,
+                                      base::counted(part.sessions, "sitting", "sittings"),
                                       trials::to_string(part.receipt)));
   const auto answered = trials::answered_trials(study);
   const auto places = add_sessions(study, table);  // after the answers: a sitting may begin meanwhile

@@ -5,6 +5,8 @@
 
 #include <stdexcept>
 
+#include "base/text/utf8.hpp"
+
 namespace palpate::trials {
 namespace {
 
@@ -48,8 +50,13 @@ SQLite::Database open_for_reading(const std::filesystem::path& file) {
   return {name, SQLite::OPEN_READONLY | SQLite::OPEN_URI, kWaitForOtherWriters};
 }
 
+bool is_damage(const SQLite::Exception& error) {
+  const int code = error.getErrorCode();
+  return code == SQLITE_CORRUPT || code == SQLITE_NOTADB || code == SQLITE_ERROR;
+}
+
 void rethrow(const SQLite::Exception& error, const std::filesystem::path& file) {
-  const std::string said = error.what();
+  const std::string said = base::printable(error.what());
   switch (error.getErrorCode()) {
     case SQLITE_CORRUPT:
     case SQLITE_NOTADB:

@@ -17,6 +17,9 @@ SQLite::Database open_for_writing(const std::filesystem::path& file);
 /// do.
 SQLite::Database open_for_reading(const std::filesystem::path& file);
 
+/// Whether SQLite found the file itself at fault: damaged, or a table or column missing.
+bool is_damage(const SQLite::Exception& error);
+
 /// What SQLite says, with the file and what it means: bad input when the file is damaged or no database
 /// (std::invalid_argument), else a failure of the machine (std::runtime_error).
 [[noreturn]] void rethrow(const SQLite::Exception& error, const std::filesystem::path& file);

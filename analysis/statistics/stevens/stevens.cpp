@@ -8,6 +8,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "base/text/counted.hpp"
+
 namespace palpate::analysis {
 namespace {
 
@@ -124,10 +126,11 @@ StevensFit stevens_fit(const std::vector<MagnitudeEstimate>& estimates, double l
   StevensFit fit{.examinees = grouped.size(), .estimates = estimates.size()};
   fit.degrees_of_freedom = static_cast<long>(estimates.size()) - static_cast<long>(grouped.size()) - 1;
   if (fit.degrees_of_freedom < 1) {
-    throw std::invalid_argument(fmt::format(
-        "{} estimates of {} examinees; after a factor for each and the exponent none is left over to "
-        "judge the line by",
-        fit.estimates, fit.examinees));
+    throw std::invalid_argument(
+        fmt::format("{} of {}; after a factor for each and the exponent none is left over to "
+                    "judge the line by",
+                    base::counted(static_cast<long>(fit.estimates), "estimate", "estimates"),
+                    base::counted(static_cast<long>(fit.examinees), "examinee", "examinees")));
   }
   const double degrees = static_cast<double>(fit.degrees_of_freedom);
   fit.exponent = sums.xy / sums.xx;

@@ -115,6 +115,21 @@ TEST_F(VerifyTest, AMissingTableIsAProblemAndNoException) {
   EXPECT_THAT(problems(), Contains(HasSubstr("schema: table study is missing")));
 }
 
+TEST_F(VerifyTest, ASchemaThatCannotBeReadIsAProblemInPlainWords) {
+  ASSERT_EQ(test::sql(path_,
+                      "PRAGMA writable_schema = ON; UPDATE sqlite_schema SET sql = "
+                      "'CREATE' || char(27) || CAST(x'ff' AS TEXT) WHERE name = 'trace'"),
+            "");
+  const auto found = problems();
+  ASSERT_FALSE(found.empty());
+  for (const std::string& problem : found) {
+    EXPECT_THAT(problem, testing::Not(HasSubstr("palpate verify")));
+    EXPECT_EQ(problem.find('\x1b'), std::string::npos);
+    EXPECT_EQ(problem.find('\xff'), std::string::npos);
+  }
+  EXPECT_THAT(found, Contains(HasSubstr("the rest was not looked at")));
+}
+
 TEST_F(VerifyTest, AProtocolThatCannotBeReadIsAProblemAndNoException) {
   tamper("UPDATE study SET protocol_text = 'no [ TOML'");
   EXPECT_THAT(problems(), Contains(HasSubstr("the protocol's text does not have the hash")));
