@@ -12,6 +12,7 @@
 #include "app/command_line/interrupt.hpp"
 #include "app/command_line/usage.hpp"
 #include "app/commands/commands.hpp"
+#include "base/text/json_words.hpp"
 
 namespace {
 
@@ -57,7 +58,7 @@ int main(int argc, char** argv) {
   } catch (const std::invalid_argument& error) {
     return report(error.what(), kWrongInput);
   } catch (const std::exception& error) {
-    return report(error.what(), kMachineFailed);
+    return report(palpate::base::json_words(error.what()).c_str(), kMachineFailed);
   }
   if (app.get_subcommands().empty()) std::fputs(app.help().c_str(), stdout);
   if (std::fflush(stdout) != 0 || std::ferror(stdout))

@@ -29,9 +29,11 @@ void refuse_protocol(const std::filesystem::path& file) {
   const toml::table content = base::read_toml(file);
   if (content.contains("bodies") || !content.contains("scene") || !content.contains("task")) return;
   const auto scene = content["scene"].value<std::string>();
-  throw std::invalid_argument(fmt::format(
-      "{}: is a protocol, and a scene is needed{}", file.string(),
-      scene ? fmt::format("; accepted: {}, which it names", (file.parent_path() / *scene).string()) : ""));
+  throw std::invalid_argument(
+      fmt::format("{}: is a protocol, and a scene is needed{}", file.string(),
+                  scene ? fmt::format("; accepted: {}, which it names",
+                                      (file.parent_path() / *scene).lexically_normal().string())
+                        : ""));
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ trials::Stimulus only_stimulus(const trials::Protocol& protocol, const StimulusO
       "{}: a protocol, of which one condition in one cell is needed; accepted: --condition {} and "
       "--cell {}, or the scene {}",
       protocol.file.string(), fmt::join(names_of(protocol.conditions), " or "),
-      fmt::join(names_of(protocol.cells), " or "), protocol.scene_file.string()));
+      fmt::join(names_of(protocol.cells), " or "), protocol.scene_file.lexically_normal().string()));
 }
 
 void refuse_choice(const StimulusOptions& options, const std::string& scene) {

@@ -169,7 +169,7 @@ Data data() {
           .columns = {
               {.name = "examinee", .meaning = "Who answered: any text"},
               {.name = "level", .meaning = "Of the stimulus"},
-              {.name = "response", .meaning = "The answer, 0 or 1 (also false or true)", .optional = true},
+              {.name = "response", .meaning = "The answer: 0 or 1, or false or true", .optional = true},
               {.name = "correct", .meaning = "Or: answers that were 1", .optional = true},
               {.name = "trials", .meaning = "of so many", .optional = true}}};
 }
