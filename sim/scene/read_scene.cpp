@@ -17,7 +17,6 @@ namespace {
 
 // Keys of later versions, beside those that call for an effect (EffectKey).
 constexpr std::array<std::string_view, 2> kLaterRegionKeys{"relaxation", "volumetric"};
-constexpr std::array<std::string_view, 1> kLaterContactKeys{"pairing"};
 constexpr std::array<std::string_view, 1> kLaterProbeKeys{"group"};
 
 Vec3 to_vec3(const base::Triple& values) {
@@ -165,7 +164,6 @@ ContactSpec read_contact(base::TomlReader& reader) {
     contact.touch.push_back({*(*pair)[0].value<std::string>(), *(*pair)[1].value<std::string>()});
   }
   contact.model = read_word(reader, "model", contact_model_words());
-  reader.refuse_later(kLaterContactKeys);
   contact.effects = read_effects(reader, "contact");
   reader.refuse_unknown();
   return contact;

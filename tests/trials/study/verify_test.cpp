@@ -115,21 +115,6 @@ TEST_F(VerifyTest, AMissingTableIsAProblemAndNoException) {
   EXPECT_THAT(problems(), Contains(HasSubstr("schema: table study is missing")));
 }
 
-TEST_F(VerifyTest, ASchemaThatCannotBeReadIsAProblemInPlainWords) {
-  ASSERT_EQ(test::sql(path_,
-                      "PRAGMA writable_schema = ON; UPDATE sqlite_schema SET sql = "
-                      "'CREATE' || char(27) || CAST(x'ff' AS TEXT) WHERE name = 'trace'"),
-            "");
-  const auto found = problems();
-  ASSERT_FALSE(found.empty());
-  for (const std::string& problem : found) {
-    EXPECT_THAT(problem, testing::Not(HasSubstr("palpate verify")));
-    EXPECT_EQ(problem.find('\x1b'), std::string::npos);
-    EXPECT_EQ(problem.find('\xff'), std::string::npos);
-  }
-  EXPECT_THAT(found, Contains(HasSubstr("the rest was not looked at")));
-}
-
 TEST_F(VerifyTest, AProtocolThatCannotBeReadIsAProblemAndNoException) {
   tamper("UPDATE study SET protocol_text = 'no [ TOML'");
   EXPECT_THAT(problems(), Contains(HasSubstr("the protocol's text does not have the hash")));
@@ -273,7 +258,7 @@ TEST_F(CutOffTest, MissingTrialsAndDrawsAreFound) {
   tamper("DELETE FROM trial WHERE number = 4");
   tamper("DELETE FROM trial WHERE number = 2 AND draw = 2");
   EXPECT_THAT(problems(), Contains(HasSubstr("trial 4: is missing")));
-  EXPECT_THAT(problems(), Contains(HasSubstr("1 trials of cell")));
+  EXPECT_THAT(problems(), Contains(HasSubstr("1 trial of cell")));
   EXPECT_THAT(problems(), Contains(HasSubstr("the chain tells of orders drawn again that are missing")));
 }
 
@@ -287,27 +272,6 @@ TEST_F(CutOffTest, ASittingWithoutAnswersIsInTheChain) {
   const Receipt before = read_study(path_).receipt();
   StudyFile study = open_study(path_, protocol_, "0.1.0");
   EXPECT_NE(start_session(study, protocol_, test::facts_of("P02")).receipt(), before);
-}
-
-// Bits that fall over anywhere in the file: found, or refused; never a crash and never a whole file.
-TEST_F(VerifyTest, DamagedPagesAreFoundOrRefused) {
-  const std::string whole = test::read(path_);
-  for (std::size_t at = 4096; at < whole.size(); at += 4096) {
-    std::string damaged = whole;
-    for (std::size_t i = 0; i < 64; ++i) damaged[at + i] = static_cast<char>(~damaged[at + i]);
-    test::write(path_, damaged);
-    try {
-      EXPECT_THAT(problems(), Not(IsEmpty())) << "page " << at / 4096;
-    } catch (const std::invalid_argument&) {
-    } catch (const std::runtime_error&) {
-    }
-  }
-}
-
-TEST_F(VerifyTest, NoStudyFileIsRefused) {
-  EXPECT_THROW(verify_study(folder_ / "none.db"), std::invalid_argument);
-  test::write(folder_ / "text.db", std::string(1000, 'x'));
-  EXPECT_THROW(verify_study(folder_ / "text.db"), std::invalid_argument);
 }
 
 }  // namespace
