@@ -43,13 +43,14 @@ std::vector<trials::Stimulus> chosen_stimuli(const trials::Protocol& protocol,
   return chosen;
 }
 
-trials::Stimulus only_stimulus(const trials::Protocol& protocol, const StimulusOptions& options) {
+trials::Stimulus only_stimulus(const trials::Protocol& protocol, const StimulusOptions& options,
+                               std::string_view wish) {
   const std::vector<trials::Stimulus> chosen = chosen_stimuli(protocol, options);
   if (chosen.size() == 1) return chosen.front();
   throw std::invalid_argument(fmt::format(
-      "{}: a protocol, of which one condition in one cell is needed; accepted: --condition {} and "
+      "{}: a protocol, and {} shows one condition in one cell; accepted: --condition {} and "
       "--cell {}, or the scene {}",
-      protocol.file.string(), fmt::join(names_of(protocol.conditions), " or "),
+      protocol.file.string(), wish, fmt::join(names_of(protocol.conditions), " or "),
       fmt::join(names_of(protocol.cells), " or "), protocol.scene_file.lexically_normal().string()));
 }
 

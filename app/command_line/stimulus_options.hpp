@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "trials/protocol/protocol.hpp"
@@ -22,7 +23,9 @@ std::vector<trials::Stimulus> chosen_stimuli(const trials::Protocol& protocol,
                                              const StimulusOptions& options);
 
 /// The one that was chosen. Throws std::invalid_argument, with the names to choose from, for several.
-trials::Stimulus only_stimulus(const trials::Protocol& protocol, const StimulusOptions& options);
+/// @param wish  what needs one only: "--save"
+trials::Stimulus only_stimulus(const trials::Protocol& protocol, const StimulusOptions& options,
+                               std::string_view wish);
 
 /// Throws std::invalid_argument where something was chosen though the file is a scene.
 void refuse_choice(const StimulusOptions& options, const std::string& scene);

@@ -48,7 +48,8 @@ std::string usage_error(const CLI::App* app, const CLI::Error& error) {
     at = at->get_subcommands().front();
     command += " " + at->get_name();
   }
-  const std::vector<std::string> left = at->remaining();
+  std::vector<std::string> left = at->remaining();
+  if (left.empty()) left = app->remaining(true);  // what a command does not take falls to the one above
   const auto word = std::ranges::find_if(left, [](const std::string& one) { return one.starts_with('-'); });
   std::string said = error.what();
   if (word != left.end())

@@ -33,9 +33,10 @@ void require_size(const trials::Protocol& protocol, bool coin) {
   const long each = protocol.trials_per_examinee_per_cell, most = coin ? kMostTrials : kMostBalanced;
   if (each * protocol.planned_examinees <= most) return;
   throw std::invalid_argument(
-      fmt::format("{}: {} trials in a cell (examinees: {}, with {} each); accepted: up to {}{}, for every "
+      fmt::format("{}: {} trials in a cell ({} with {} each); accepted: up to {}{}, for every "
                   "number of correct answers is counted; --studies plays studies of any size",
-                  protocol.name, each * protocol.planned_examinees, protocol.planned_examinees, each, most,
+                  protocol.name, each * protocol.planned_examinees,
+                  counted(protocol.planned_examinees, "examinee", "examinees"), each, most,
                   coin ? "" : " with balanced orders"));
 }
 

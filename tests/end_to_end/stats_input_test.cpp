@@ -103,7 +103,7 @@ TEST_F(StatsInput, ATableWithoutAHeaderIsNeverInSilence) {
       file("matrix.csv", "1,5,10\n2.1,2.6,3.0\n1.8,2.0,2.4\n2.5,2.4,2.9\n1.9,2.3,2.2\n");
   const Outcome guessed = run({"stats", "friedman", matrix, "--format", "json"});
   EXPECT_THAT(guessed.err, HasSubstr("matrix.csv: line 1 was taken as data (no header)"));
-  EXPECT_EQ(json::parse(guessed.out)["examinees"], 5);
+  EXPECT_EQ(json::parse(guessed.out)["n"], 5);
   // R: friedman.test(rbind(c(2.1,2.6,3),c(1.8,2,2.4),c(2.5,2.4,2.9),c(1.9,2.3,2.2)))$statistic: 4.5
   const Outcome named = run({"stats", "friedman", matrix, "--header", "--format", "json"});
   EXPECT_THAT(named.err, IsEmpty());

@@ -78,7 +78,7 @@ void press_protocol(const PressOptions& options, std::optional<double> depth) {
   sim::ComplianceCache cache = user_cache();
   const trials::Protocol protocol = trials::load_protocol(options.scene.file);
   std::vector<trials::Stimulus> chosen = chosen_stimuli(protocol, options.stimulus);
-  if (!options.save.empty()) chosen = {only_stimulus(protocol, options.stimulus)};
+  if (!options.save.empty()) chosen = {only_stimulus(protocol, options.stimulus, "--save")};
   const std::vector<PressedStimulus> pressed = press_study(protocol, chosen, depth, options.steps, cache);
   if (options.format == "json")
     print_json(study_press_json(protocol, pressed));

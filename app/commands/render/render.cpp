@@ -44,7 +44,7 @@ sim::Model model_of(const RenderOptions& options) {
   sim::ComplianceCache cache = user_cache();
   if (input_kind(options.scene) == InputKind::Protocol) {
     const trials::Protocol protocol = trials::load_protocol(options.scene.file);
-    return trials::compile_stimulus(protocol, only_stimulus(protocol, options.stimulus), cache);
+    return trials::compile_stimulus(protocol, only_stimulus(protocol, options.stimulus, "a picture"), cache);
   }
   refuse_choice(options.stimulus, options.scene.file);
   return sim::compile(load_scene(options.scene), cache);

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/trials/export/exported_study.hpp"
+#include "tests/trials/support/raw_sql.hpp"
 
 namespace palpate::trials {
 namespace {
