@@ -164,14 +164,14 @@ std::vector<Input> glmm_inputs() {
 }
 
 Data data() {
-  return {.shape = Data::Shape::Columns,
-          .meaning = "one answer a row, or the counts of one examinee at one level",
-          .columns = {
-              {.name = "examinee", .meaning = "Who answered: any text"},
-              {.name = "level", .meaning = "Of the stimulus"},
-              {.name = "response", .meaning = "The answer: 0 or 1, or false or true", .optional = true},
-              {.name = "correct", .meaning = "Or: answers that were 1", .optional = true},
-              {.name = "trials", .meaning = "of so many", .optional = true}}};
+  return {
+      .shape = Data::Shape::Columns,
+      .meaning = "one answer a row, or the counts of one examinee at one level",
+      .columns = {{.name = "examinee", .meaning = "Who answered: any text"},
+                  {.name = "level", .meaning = "Of the stimulus"},
+                  {.name = "response", .meaning = "The answer: 0 or 1, or false or true", .optional = true},
+                  {.name = "correct", .meaning = "Or: answers that were 1", .optional = true},
+                  {.name = "trials", .meaning = "of so many", .optional = true}}};
 }
 
 std::vector<Output> glmm_outputs() {
