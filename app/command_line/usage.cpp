@@ -49,7 +49,10 @@ std::string usage_error(const CLI::App* app, const CLI::Error& error) {
     command += " " + at->get_name();
   }
   std::vector<std::string> left = at->remaining();
-  if (left.empty()) left = app->remaining(true);  // what a command does not take falls to the one above
+  // One word too many is in the library's message alone.
+  constexpr std::string_view kOne = "The following argument was not expected: ";
+  if (const std::string_view what = error.what(); left.empty() && what.starts_with(kOne))
+    left.emplace_back(what.substr(kOne.size()));
   const auto word = std::ranges::find_if(left, [](const std::string& one) { return one.starts_with('-'); });
   std::string said = error.what();
   if (word != left.end())
