@@ -48,16 +48,13 @@ std::string usage_error(const CLI::App* app, const CLI::Error& error) {
     at = at->get_subcommands().front();
     command += " " + at->get_name();
   }
-  std::vector<std::string> left = at->remaining();
-  // One word too many is in the library's message alone.
-  constexpr std::string_view kOne = "The following argument was not expected: ";
-  if (const std::string_view what = error.what(); left.empty() && what.starts_with(kOne))
-    left.emplace_back(what.substr(kOne.size()));
+  const std::vector<std::string> left = at->remaining();
   const auto word = std::ranges::find_if(left, [](const std::string& one) { return one.starts_with('-'); });
   std::string said = error.what();
   if (word != left.end())
     said = unknown(*at, *word);
-  else if (!left.empty() && (error.get_name() == "ExtrasError" || !command_names(*at).empty()))
+  else if (!left.empty() && (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError) ||
+                             !command_names(*at).empty()))
     said = unknown(*at, left.front());
   return fmt::format("Error: {}\n`{} --help` shows what is accepted.\n", said, command);
 }
