@@ -6,11 +6,14 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <span>
 #include <stdexcept>
 #include <string>
 
 #include "app/command_line/interrupt.hpp"
+#include "app/command_line/usage.hpp"
 #include "app/commands/commands.hpp"
+#include "base/text/json_words.hpp"
 
 namespace {
 
@@ -28,16 +31,6 @@ constexpr const char* kGuide =
     "  palpate check protocols/kuroda2003.toml          what a study amounts to\n\n"
     "palpate COMMAND --help shows a command's options, with an example.";
 
-/// What is wrong with the arguments, and where help is.
-std::string usage_error(const CLI::App* app, const CLI::Error& error) {
-  std::string command = app->get_name();
-  for (const CLI::App* at = app; !at->get_subcommands().empty();) {
-    at = at->get_subcommands().front();
-    command += " " + at->get_name();
-  }
-  return fmt::format("Error: {}\n`{} --help` shows what is accepted.\n", error.what(), command);
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -52,7 +45,7 @@ int main(int argc, char** argv) {
                "palpate");
   app.set_version_flag("--version", PALPATE_VERSION);
   app.require_subcommand(0, 1);
-  app.failure_message(usage_error);
+  app.failure_message(palpate::app::usage_error);
   app.footer(kGuide);
   for (const palpate::app::Command* command : palpate::app::commands()) {
     CLI::App* added = app.add_subcommand(std::string(command->name), std::string(command->summary));
@@ -60,6 +53,7 @@ int main(int argc, char** argv) {
   }
 
   try {
+    palpate::app::refuse_empty(std::span(argv, argc));
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     const int code = app.exit(error);
@@ -69,7 +63,7 @@ int main(int argc, char** argv) {
   } catch (const std::invalid_argument& error) {
     return report(error.what(), kWrongInput);
   } catch (const std::exception& error) {
-    return report(error.what(), kMachineFailed);
+    return report(palpate::base::json_words(error.what()).c_str(), kMachineFailed);
   }
   if (app.get_subcommands().empty()) std::fputs(app.help().c_str(), stdout);
   if (std::fflush(stdout) != 0 || std::ferror(stdout))

@@ -15,9 +15,11 @@ namespace {
 using nlohmann::json;
 
 [[noreturn]] void refuse(const Input& input, const json& found, std::string_view accepted) {
-  throw std::invalid_argument(
-      fmt::format("{} is {}; accepted: {}", input.name,
-                  found.is_string() ? "'" + found.get<std::string>() + "'" : found.dump(), accepted));
+  const std::string_view kind = found.is_array() ? "the array " : found.is_object() ? "the object " : "";
+  const std::string text = found.is_string()
+                               ? "'" + found.get<std::string>() + "'"
+                               : found.dump(-1, ' ', false, json::error_handler_t::replace).substr(0, 60);
+  throw std::invalid_argument(fmt::format("{} is {}{}; accepted: {}", input.name, kind, text, accepted));
 }
 
 // A number given as such, or as the text that a person wrote.
@@ -65,7 +67,20 @@ json read_single(const Input& input, const json& value, const Read& read, std::s
   return *number;
 }
 
+bool takes_several(Input::Kind kind) {
+  return kind == Input::Kind::Counts || kind == Input::Kind::Numbers || kind == Input::Kind::PValues;
+}
+
+// Numbers are texts as well: lapse is free or 0.02.
+json read_text(const Input& input, const json& value) {
+  if (value.is_number()) return value.dump();
+  if (!value.is_string()) refuse(input, value, "a text or a number");
+  return value;
+}
+
 json read_input(const Input& input, const json& value) {
+  if (value.is_array() && value.size() == 1 && !takes_several(input.kind))  // as R writes one value
+    return read_input(input, value.front());
   switch (input.kind) {
     case Input::Kind::Count:
       return read_single(input, value, read_count, fmt::format("a whole number {}", kCountBounds));
@@ -93,8 +108,7 @@ json read_input(const Input& input, const json& value) {
     case Input::Kind::Text:
       break;
   }
-  if (!value.is_string()) refuse(input, value, "a text");
-  return value;
+  return read_text(input, value);
 }
 
 void refuse_unknown(const Statistic& statistic, const json& given) {

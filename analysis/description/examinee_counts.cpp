@@ -19,8 +19,8 @@ std::vector<ExamineeCount> read_examinee_counts(const DataTable& table) {
   for (std::size_t row = 0; row < correct.size(); ++row) {
     if (trials[row] < 1 || correct[row] < 0 || correct[row] > trials[row]) {
       throw std::invalid_argument(
-          fmt::format("{}:{}: {} of {} correct; accepted: 0 to all of at least one trial", table.source,
-                      table.lines[row], correct[row], trials[row]));
+          fmt::format("{}: {} of {} correct; accepted: 0 to all of at least one trial", place_of(table, row),
+                      correct[row], trials[row]));
     }
     counts.push_back({.correct = correct[row], .trials = trials[row]});
   }

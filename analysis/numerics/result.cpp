@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/text/counted.hpp"
+
 namespace palpate::analysis {
 
 Side side_from_name(std::string_view name) {
@@ -47,8 +49,9 @@ void require_level(double level, std::string_view name) {
 void require_counts(long correct, long trials) {
   if (trials < 1) throw std::invalid_argument(fmt::format("{} trials; at least 1 is needed", trials));
   if (correct >= 0 && correct <= trials) return;
-  throw std::invalid_argument(
-      fmt::format("{} correct answers of {} trials; accepted: 0 to {}", correct, trials, trials));
+  throw std::invalid_argument(fmt::format("{} of {}; accepted: 0 to {}",
+                                          base::counted(correct, "correct answer", "correct answers"),
+                                          base::counted(trials, "trial", "trials"), trials));
 }
 
 void require_finite(double value, std::string_view name) {

@@ -6,6 +6,7 @@
 
 #include "analysis/description/read_number.hpp"
 #include "analysis/description/statistic.hpp"
+#include "analysis/numerics/result.hpp"
 #include "analysis/numerics/rounding.hpp"
 #include "base/text/shard.hpp"
 
@@ -39,8 +40,10 @@ std::vector<Block> blocks_of(const DataTable& table) {
   const std::vector<double> levels = settled_values(number_column(table, "level"));
   const std::vector<long> correct = count_column(table, "correct"), trials = count_column(table, "trials");
   std::vector<Block> blocks;
-  for (std::size_t i = 0; i < levels.size(); ++i) blocks.push_back({levels[i], correct[i], trials[i]});
-  validate(blocks);
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    blocks.push_back({levels[i], correct[i], trials[i]});
+    at_row(table, i, [&] { require_counts(correct[i], trials[i]); });
+  }
   return blocks;
 }
 

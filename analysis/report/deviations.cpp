@@ -12,8 +12,9 @@ namespace {
 
 void add_sample(const StudyReport& report, std::vector<std::string>& found) {
   if (report.complete_examinees == report.planned_examinees || (report.look && !report.complete)) return;
-  found.push_back(fmt::format("{} examinees are complete, {} were planned{}.", report.complete_examinees,
-                              report.planned_examinees,
+  found.push_back(fmt::format("{} complete, {} planned{}.",
+                              counted(report.complete_examinees, "examinee is", "examinees are"),
+                              counted(report.planned_examinees, "was", "were"),
                               report.sample ? "; the tests count those who completed first" : ""));
 }
 
@@ -33,8 +34,9 @@ void add_sessions(const StudyReport& report, std::vector<std::string>& found) {
     found.push_back(fmt::format("{} not finished.", counted(unfinished, "session was", "sessions were")));
   }
   if (report.sessions.size() > report.examinees.size()) {
-    found.push_back(
-        fmt::format("{} examinees sat {} sessions.", report.examinees.size(), report.sessions.size()));
+    found.push_back(fmt::format("{} sat {} sessions.",
+                                counted(std::ssize(report.examinees), "examinee", "examinees"),
+                                report.sessions.size()));
   }
   const auto voided = static_cast<long>(report.voided.size());
   if (voided > 0) found.push_back(fmt::format("{} voided.", counted(voided, "trial was", "trials were")));
@@ -95,12 +97,14 @@ std::vector<std::string> plan_in_words(const StudyReport& report) {
   const StudyDesign& design = report.design;
   std::vector<std::string> words;
   add_frozen(report, words);
-  words.push_back(fmt::format(
-      "Planned: {} examinees; primary test {}, alpha {}, side {}; between cells {}{}.",
-      design.planned_examinees, design.primary, design.alpha, design.side,
-      design.between_models == "none" ? "nothing" : design.between_models,
-      design.looks.empty() ? "; one look, at the end"
-                           : fmt::format("; {} looks, {} spending", design.looks.size(), design.spending)));
+  words.push_back(
+      fmt::format("Planned: {}; primary test {}, alpha {}, side {}; between cells {}{}.",
+                  counted(design.planned_examinees, "examinee", "examinees"), design.primary, design.alpha,
+                  design.side, design.between_models == "none" ? "nothing" : design.between_models,
+                  design.looks.empty()
+                      ? "; one look, at the end"
+                      : fmt::format("; {}, {} spending", counted(std::ssize(design.looks), "look", "looks"),
+                                    design.spending)));
   for (const LookEvent& look : report.planned_looks) {
     if (look.utc.empty()) continue;
     words.push_back(fmt::format("Planned look {} of {} was first taken on {}.", look.planned,

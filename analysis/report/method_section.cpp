@@ -145,10 +145,11 @@ std::string analysis_plan(const StudyReport& report) {
 void add_sample_limits(const StudyReport& report, std::vector<std::string>& limits) {
   if (report.complete_examinees > report.planned_examinees) {
     limits.push_back(fmt::format(
-        "{} examinees are complete where {} were planned. The tests count the first {} to complete. The "
+        "{} complete where {} planned. The tests count the first {} to complete. The "
         "count with everybody is no part of the plan: were the results looked at on the way, alpha does not "
         "hold for it.",
-        report.complete_examinees, report.planned_examinees, report.planned_examinees));
+        counted(report.complete_examinees, "examinee is", "examinees are"),
+        counted(report.planned_examinees, "was", "were"), report.planned_examinees));
   }
   const auto unfinished = std::ranges::count_if(
       report.sessions, [](const ReportedSession& session) { return !session.finished; });

@@ -6,6 +6,7 @@
 
 #include "analysis/report/pictures.hpp"
 #include "analysis/report/rows_picture.hpp"
+#include "analysis/words/words.hpp"
 
 namespace palpate::analysis {
 namespace {
@@ -53,7 +54,7 @@ std::string times_picture(const StudyReport& report) {
     const ResponseTimes& times = *report.cells[c].response_times;
     most = std::max(most, times.most);
     rows.push_back({.name = report.cells[c].name,
-                    .note = fmt::format("{} answers", times.n),
+                    .note = counted(static_cast<long>(times.n), "answer", "answers"),
                     .from = times.least,
                     .to = times.most,
                     .box_from = times.lower_quartile,

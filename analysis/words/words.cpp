@@ -51,11 +51,10 @@ std::string range(const Interval& interval, const std::function<std::string(doub
 }
 
 std::string short_percent(double proportion) {
-  return fmt::format("{:.4g} %", 100 * proportion);
-}
-
-std::string counted(long count, const std::string& singular, const std::string& plural) {
-  return fmt::format("{} {}", count, count == 1 ? singular : plural);
+  std::string text = fmt::format("{:.4g}", 100 * proportion);
+  for (int digits = 5; text == "100" && proportion != 1.0 && digits <= 17; ++digits)
+    text = fmt::format("{:.{}g}", 100 * proportion, digits);
+  return text + " %";
 }
 
 std::string listed(const std::vector<std::string>& items) {

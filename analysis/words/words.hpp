@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/numerics/result.hpp"
+#include "base/text/counted.hpp"
 
 namespace palpate::analysis {
 
@@ -32,7 +33,7 @@ std::string percent_range(const Interval& interval);
 std::string range(const Interval& interval);
 std::string range(const Interval& interval, const std::function<std::string(double)>& written);
 
-/// "95 %": a confidence level or a proportion without needless decimals.
+/// "95 %", "99.999 %": a confidence level or a proportion without needless decimals. Only 1 is "100 %".
 std::string short_percent(double proportion);
 
 /// How many columns of a terminal a text takes: letters, not bytes.
@@ -44,7 +45,7 @@ std::string wrapped(std::string_view text, std::string_view first = "", std::str
                     std::size_t width = 100);
 
 /// "1 answer", "2 answers".
-std::string counted(long count, const std::string& singular, const std::string& plural);
+using base::counted;
 
 /// "kuroda", "kuroda and sibille", "a, b and c".
 std::string listed(const std::vector<std::string>& items);

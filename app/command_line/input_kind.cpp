@@ -16,7 +16,9 @@ InputKind input_kind(const SceneOptions& options) {
         "{}: neither a scene ([bodies.NAME]) nor a protocol ([conditions.NAME], [task])", options.file));
   if (!options.set.empty() || !options.model.empty())
     throw std::invalid_argument(
-        fmt::format("{}: --set and --model belong to a scene, and this is a protocol", options.file));
+        fmt::format("{}: --set and --model belong to a scene, and this is a protocol, whose conditions and "
+                    "factors say what is replaced; accepted: the protocol alone, or the scene that it names",
+                    options.file));
   return InputKind::Protocol;
 }
 

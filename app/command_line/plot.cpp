@@ -18,6 +18,7 @@
 #include <system_error>
 
 #include "base/files/atomic_file.hpp"
+#include "base/files/folder_of.hpp"
 
 namespace palpate::app {
 namespace {
@@ -143,6 +144,7 @@ void check_plot_file(const std::filesystem::path& file) {
   if (file.extension() != ".svg" && file.extension() != ".png")
     throw std::invalid_argument(
         fmt::format("--plot {}: accepted: a file name that ends in .svg or .png", file.string()));
+  base::require_folder_of(file);
 }
 
 void draw_plot(const Plot& plot, const std::filesystem::path& file) {

@@ -25,7 +25,8 @@ struct Plot {
   std::vector<PlotSeries> series{};
 };
 
-/// Throws std::invalid_argument for a file name that ends in neither .svg nor .png. Commands call it before
+/// Throws std::invalid_argument for a file name that ends in neither .svg nor .png, and for a folder that is
+/// not there. Commands call it before
 /// they start to compute.
 void check_plot_file(const std::filesystem::path& file);
 

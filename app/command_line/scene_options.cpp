@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <stdexcept>
 
 #include "base/text/quantity.hpp"
+#include "base/text/toml_reader.hpp"
 #include "sim/contact/laws.hpp"
 
 namespace palpate::app {
@@ -20,7 +22,24 @@ void add_scene(CLI::App& command, SceneOptions& options) {
       ->allow_extra_args(false);
 }
 
+namespace {
+
+/// A protocol in the place of a scene is told as such, with the scene that it names.
+void refuse_protocol(const std::filesystem::path& file) {
+  const toml::table content = base::read_toml(file);
+  if (content.contains("bodies") || !content.contains("scene") || !content.contains("task")) return;
+  const auto scene = content["scene"].value<std::string>();
+  throw std::invalid_argument(
+      fmt::format("{}: is a protocol, and a scene is needed{}", file.string(),
+                  scene ? fmt::format("; accepted: {}, which it names",
+                                      (file.parent_path() / *scene).lexically_normal().string())
+                        : ""));
+}
+
+}  // namespace
+
 sim::Scene load_scene(const SceneOptions& options) {
+  refuse_protocol(options.file);
   std::vector<sim::Override> overrides;
   for (const std::string& entry : options.set) {
     const auto equals = entry.find('=');

@@ -188,8 +188,8 @@ std::string power_in_words(const ordered_json& result) {
                   result["observer"].value("name", "?"), result["seed"].get<std::uint64_t>(),
                   result["from"].get<long>() + 1, result["to"].get<long>(), result["studies"].get<long>());
   for (const ordered_json& cell : result["cells"]) {
-    text += fmt::format("{}: the primary test rejects guessing in {} studies",
-                        cell["cell"].get<std::string>(), cell["rejected"].get<long>());
+    text += fmt::format("{}: the primary test rejects guessing in {}", cell["cell"].get<std::string>(),
+                        analysis::counted(cell["rejected"].get<long>(), "study", "studies"));
     if (whole)
       text += fmt::format(": power {}, standard error {}", analysis::decimals(cell["power"], 4),
                           analysis::decimals(cell["standard_error"], 4));

@@ -8,6 +8,7 @@
 #include "app/command_line/user_cache.hpp"
 #include "base/machine/environment.hpp"
 #include "base/machine/machine.hpp"
+#include "base/text/counted.hpp"
 
 namespace palpate::app {
 
@@ -41,8 +42,8 @@ SimulationResult run_simulation(const std::filesystem::path& protocol_file,
   }
   result.receipt = study.receipt();
   if (result.report.interrupted) {
-    fmt::print(stderr, "stopped: {} answers were given and are kept; the same command goes on from there\n",
-               result.report.answers);
+    fmt::print(stderr, "stopped: {} given and kept; the same command goes on from there\n",
+               base::counted(result.report.answers, "answer is", "answers are"));
     throw Interrupted{};
   }
   return result;

@@ -33,9 +33,10 @@ void require_size(const trials::Protocol& protocol, bool coin) {
   const long each = protocol.trials_per_examinee_per_cell, most = coin ? kMostTrials : kMostBalanced;
   if (each * protocol.planned_examinees <= most) return;
   throw std::invalid_argument(
-      fmt::format("{}: {} trials in a cell ({} examinees with {} each); accepted: up to {}{}, for every "
+      fmt::format("{}: {} trials in a cell ({} with {} each); accepted: up to {}{}, for every "
                   "number of correct answers is counted; --studies plays studies of any size",
-                  protocol.name, each * protocol.planned_examinees, protocol.planned_examinees, each, most,
+                  protocol.name, each * protocol.planned_examinees,
+                  counted(protocol.planned_examinees, "examinee", "examinees"), each, most,
                   coin ? "" : " with balanced orders"));
 }
 
@@ -77,20 +78,21 @@ std::string regions_in_words(const StudyPlan& plan) {
   const long each = plan.protocol.trials_per_examinee_per_cell;
   for (const trials::Cell& cell : plan.protocol.cells) {
     if (plan.critical && plan.looks.empty()) {
-      text += fmt::format("{}: {} trials; {} (probability under guessing {})\n", cell.name,
-                          plan.critical->trials, region(*plan.critical), number(plan.critical->size));
+      text += fmt::format("{}: {}; {} (probability under guessing {})\n", cell.name,
+                          counted(plan.critical->trials, "trial", "trials"), region(*plan.critical),
+                          number(plan.critical->size));
     } else if (plan.looks.empty()) {
       text += fmt::format(
-          "{}: {} trials; the number that rejects guessing depends on how often either interval is "
+          "{}: {}; the number that rejects guessing depends on how often either interval is "
           "answered, and is in the report\n",
-          cell.name, each * plan.protocol.planned_examinees);
+          cell.name, counted(each * plan.protocol.planned_examinees, "trial", "trials"));
     }
     for (std::size_t i = 0; i < plan.looks.size(); ++i) {
       const PlannedLook& look = plan.looks[i];
-      text += fmt::format("{}, look {} of {} at {}: {} trials; {} (by now rejected under guessing: {})\n",
-                          cell.name, i + 1, plan.looks.size(),
-                          counted(look.critical.trials / each, "examinee", "examinees"), look.critical.trials,
-                          region(look.critical), number(look.size));
+      text += fmt::format(
+          "{}, look {} of {} at {}: {}; {} (by now rejected under guessing: {})\n", cell.name, i + 1,
+          plan.looks.size(), counted(look.critical.trials / each, "examinee", "examinees"),
+          counted(look.critical.trials, "trial", "trials"), region(look.critical), number(look.size));
     }
   }
   return text;

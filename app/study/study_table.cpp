@@ -10,6 +10,7 @@
 
 #include "app/study/look_log.hpp"
 #include "base/files/sha256.hpp"
+#include "base/text/counted.hpp"
 #include "trials/study/answered_trials.hpp"
 #include "trials/study/chain_parts.hpp"
 #include "trials/study/clock_steps.hpp"
@@ -260,7 +261,10 @@ namespace {
 
 analysis::FrozenPlan frozen_plan_of(const trials::EventRow& event, analysis::ChainPlace written) {
   const auto plan = nlohmann::json::parse(event.text, nullptr, false);
-  const auto text = [&](const char* key) { return plan.is_object() ? plan.value(key, "") : std::string(); };
+  const auto text = [&](const char* key) {
+    const bool given = plan.is_object() && plan.contains(key) && plan[key].is_string();
+    return given ? plan[key].get<std::string>() : std::string();
+  };
   return {.part = written.chain,
           .sha256 = base::sha256_hex(event.text),
           .frozen_utc = event.utc,
@@ -273,7 +277,8 @@ void add_part(const trials::MergedPart& part, analysis::StudyTable& table) {
   const std::string name =
       fmt::format("the study file {}{}", part.file, part.site.empty() ? "" : " of the site " + part.site);
   table.parts.push_back(name);
-  table.notes.push_back(fmt::format("Joined from {}: {} sittings, receipt {}.", name, part.sessions,
+  table.notes.push_back(fmt::format("Joined from {}: {}, receipt {}.", name,
+                                    base::counted(part.sessions, "sitting", "sittings"),
                                     trials::to_string(part.receipt)));
 }
 

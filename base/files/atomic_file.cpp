@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/files/file_error.hpp"
+#include "base/files/folder_of.hpp"
 
 namespace palpate::base {
 namespace {
@@ -24,6 +25,7 @@ void write_all(int descriptor, std::string_view bytes, const std::filesystem::pa
 }  // namespace
 
 void write_atomically(const std::filesystem::path& file, std::string_view bytes, ::mode_t mode) {
+  require_folder_of(file);
   std::string aside = file.string() + ".XXXXXX";
   const int descriptor = ::mkstemp(aside.data());
   if (descriptor < 0) throw_cannot(errno, "create a file in its folder", file);

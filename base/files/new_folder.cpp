@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/files/file_error.hpp"
+#include "base/files/folder_of.hpp"
 
 namespace palpate::base {
 namespace fs = std::filesystem;
@@ -88,6 +89,7 @@ NewFolder::NewFolder(fs::path folder, Beside beside) : folder_(std::move(folder)
     return;
   }
   top_ = first_missing(folder_);
+  require_folder_of(top_);
   aside_ = made_aside(top_);
   const fs::path within = folder_.lexically_relative(top_);
   files_ = within == "." ? aside_ : aside_ / within;

@@ -48,6 +48,13 @@ void take_row(int, void* data) {
   rows.within_row = false;
 }
 
+/// A table of quoted fields with another separator begins with "level";
+std::string_view separator_after_quote(std::string_view line) {
+  if (line.find("\";") != std::string_view::npos) return " (columns are separated by commas, not by ';')";
+  if (line.find("\"\t") != std::string_view::npos) return " (columns are separated by commas, not by tabs)";
+  return "";
+}
+
 }  // namespace
 
 // A line at a time, so that every row knows where it began.
@@ -67,7 +74,9 @@ std::vector<CsvRow> split_csv(std::string_view text, const std::string& name) {
     }
     if (csv_parse(&parser, line.data(), line.size(), take_field, take_row, &rows) != line.size())
       refuse(name, rows.line,
-             "a quote in the middle of a field; quotes go round a whole field and are doubled within it");
+             fmt::format("a quote in the middle of a field{}; quotes go round a whole field and are doubled "
+                         "within it",
+                         separator_after_quote(line)));
     first += line.size();
   }
   if (csv_fini(&parser, take_field, take_row, &rows) != 0)

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <optional>
 #include <set>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -147,6 +148,13 @@ class TomlReader {
       return std::pair{at.line, at.column};
     });
     return names;
+  }
+
+  /// Refuses a key of a later version as such. To be called before anything is required that such a key would
+  /// stand for.
+  void refuse_later(std::span<const std::string_view> later) const {
+    for (const std::string_view key : later)
+      if (has(key)) refuse(key, "is not in this version; accepted: the file without it");
   }
 
   /// Refuses the first key that was never asked for.

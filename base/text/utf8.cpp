@@ -1,5 +1,7 @@
 #include "base/text/utf8.hpp"
 
+#include <fmt/format.h>
+
 namespace palpate::base {
 
 std::size_t utf8_length(std::string_view text) {
@@ -13,6 +15,20 @@ std::size_t utf8_length(std::string_view text) {
   const bool overlong = (first == 0xE0 && byte(1) < 0xA0) || (first == 0xF0 && byte(1) < 0x90);
   const bool beyond = (first == 0xED && byte(1) >= 0xA0) || (first == 0xF4 && byte(1) >= 0x90);
   return overlong || beyond ? 0 : length;
+}
+
+std::string printable(std::string_view text) {
+  constexpr int kMost = 200;
+  std::string out;
+  for (int shown = 0; !text.empty(); ++shown) {
+    if (shown == kMost) return out + "...";
+    const std::size_t length = utf8_length(text);
+    const auto first = static_cast<unsigned char>(text.front());
+    const bool plain = length > 0 && first >= 0x20 && first != 0x7f;
+    out += plain ? std::string(text.substr(0, length)) : fmt::format("\\x{:02x}", first);
+    text.remove_prefix(plain ? length : 1);
+  }
+  return out;
 }
 
 bool is_utf8(std::string_view text) {

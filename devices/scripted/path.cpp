@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/text/counted.hpp"
 #include "base/text/csv.hpp"
 
 namespace palpate::devices {
@@ -30,7 +31,8 @@ std::vector<ProbePath> read_names(const CsvRow& names, const std::string& file) 
   if (names.fields.front() != "time_s")
     refuse(file, names.line, fmt::format("the first column is \"{}\"; {}", names.fields.front(), kAccepted));
   if (names.fields.size() % 3 != 1 || names.fields.size() == 1)
-    refuse(file, names.line, fmt::format("{} columns; {}", names.fields.size(), kAccepted));
+    refuse(file, names.line,
+           fmt::format("{}; {}", base::counted(std::ssize(names.fields), "column", "columns"), kAccepted));
   std::vector<ProbePath> paths;
   for (std::size_t first = 1; first < names.fields.size(); first += 3) {
     const std::string probe(probe_of(names.fields[first], ".x_m"));

@@ -5,15 +5,24 @@
 
 #include <algorithm>
 
+#include "sim/mesh/name_groups.hpp"
 #include "sim/scene/refuse_key.hpp"
 
 namespace palpate::sim {
 namespace {
 
-std::vector<std::string> group_names(const TetMesh& mesh) {
+/// What groups there are, or how one is named.
+std::string known_groups(const TetMesh& mesh) {
   std::vector<std::string> names;
   for (const auto& [name, nodes] : mesh.node_groups) names.push_back(name);
-  return names;
+  if (!names.empty()) return fmt::format("it has: {}", fmt::join(names, ", "));
+  return fmt::format("it has no named groups: {}; a list of node numbers and a box are accepted, too",
+                     kHowToNameGroups);
+}
+
+std::string known_regions(const TetMesh& mesh) {
+  if (!mesh.region_names.empty()) return fmt::format("it has: {}", fmt::join(mesh.region_names, ", "));
+  return fmt::format("it has none: {}", kHowToNameRegions);
 }
 
 }  // namespace
@@ -23,8 +32,7 @@ std::vector<int> select(const TetMesh& mesh, const NodeSelection& selection, con
   if (const auto* group = std::get_if<std::string>(&selection)) {
     const auto found = mesh.node_groups.find(*group);
     if (found == mesh.node_groups.end())
-      refuse_key(key, fmt::format("the mesh has no group \"{}\"; it has: {}", *group,
-                                  fmt::join(group_names(mesh), ", ")));
+      refuse_key(key, fmt::format("the mesh has no group \"{}\"; {}", *group, known_groups(mesh)));
     nodes = found->second;
   } else if (const auto* box = std::get_if<Box>(&selection)) {
     for (int i = 0; i < std::ssize(mesh.nodes); ++i)
@@ -48,9 +56,8 @@ std::vector<Material> materials_of(const BodySpec& spec, const TetMesh& mesh) {
   for (const auto& [name, material] : spec.regions) {
     const auto found = std::ranges::find(mesh.region_names, name);
     if (found == mesh.region_names.end())
-      refuse_key(
-          fmt::format("bodies.{}.regions.{}", spec.name, name),
-          fmt::format("the mesh has no such volume group; it has: {}", fmt::join(mesh.region_names, ", ")));
+      refuse_key(fmt::format("bodies.{}.regions.{}", spec.name, name),
+                 fmt::format("the mesh has no such volume group; {}", known_regions(mesh)));
     const auto region = static_cast<int>(found - mesh.region_names.begin());
     if (std::ranges::find(mesh.region, region) == mesh.region.end())
       refuse_key(

@@ -24,17 +24,21 @@ std::vector<TagAndIndex> index_tags(const Cursor& in, const MshContent& content)
 }
 
 /// Index of the node with a tag. Tags mostly count up from the first, so that place is tried first.
-int find_node(const Cursor& in, const std::vector<TagAndIndex>& sorted, const MshElement& element,
-              std::int64_t tag) {
+int find_node(const Cursor& in, const MshContent& content, const std::vector<TagAndIndex>& sorted,
+              const MshElement& element, std::int64_t tag) {
   if (!sorted.empty() && tag >= sorted.front().first) {
     const std::size_t guess = tag - sorted.front().first;
     if (guess < sorted.size() && sorted[guess].first == tag) return sorted[guess].second;
     const auto found = std::ranges::lower_bound(sorted, TagAndIndex{tag, -1});
     if (found != sorted.end() && found->first == tag) return found->second;
   }
-  const std::string known = sorted.empty() ? "no node"
-                                           : fmt::format("{} nodes, numbered {} to {}", sorted.size(),
-                                                         sorted.front().first, sorted.back().first);
+  if (sorted.empty())
+    in.refuse(element.offset, fmt::format("found an element on node {}, and no node in a section $Nodes{}{}",
+                                          tag, content.passed_over.empty() ? "" : "; not read: ",
+                                          fmt::join(content.passed_over, ", ")));
+  const std::string known = sorted.size() == 1 ? fmt::format("one node, numbered {}", sorted.front().first)
+                                               : fmt::format("{} nodes, numbered {} to {}", sorted.size(),
+                                                             sorted.front().first, sorted.back().first);
   in.refuse(element.offset, fmt::format("found an element on node {}; $Nodes holds {}", tag, known));
 }
 
@@ -84,7 +88,8 @@ std::vector<Listing> read_listings(const Cursor& in, const MshContent& content, 
     last = &element;
     Tetrahedron nodes{};
     const std::size_t count = element.dimension + 1;
-    for (std::size_t i = 0; i < count; ++i) nodes[i] = find_node(in, sorted, element, element.node_tags[i]);
+    for (std::size_t i = 0; i < count; ++i)
+      nodes[i] = find_node(in, content, sorted, element, element.node_tags[i]);
     for (std::vector<int>* group : current->nodes)
       group->insert(group->end(), nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(count));
     if (element.dimension != 3) continue;

@@ -59,6 +59,11 @@ bool Cursor::at_end() {
   return offset_ == bytes_.size();
 }
 
+std::string_view Cursor::rest() {
+  skip_white();
+  return bytes_.substr(offset_);
+}
+
 std::string_view Cursor::word(const char* accepted) {
   if (at_end())
     refuse(offset_, fmt::format("the file ends where {} is expected; it seems to be truncated", accepted));

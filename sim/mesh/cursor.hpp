@@ -29,6 +29,7 @@ class Cursor {
   bool at_end();  // but for white space
   std::size_t here() const { return offset_; }
   std::size_t remaining() const { return bytes_.size() - offset_; }
+  std::string_view rest();  // from the next byte that is not white on
 
   std::string_view word(const char* accepted);
   std::string_view rest_of_line();  // without its end, LF or CRLF

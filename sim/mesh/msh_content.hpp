@@ -30,6 +30,7 @@ struct MshContent {
   std::vector<MshElement> elements;
   std::map<DimensionAndTag, std::vector<std::int64_t>> physicals;  // of an entity (dimension, tag)
   std::map<DimensionAndTag, std::string> names;                    // of a physical group (dimension, tag)
+  std::vector<std::string> passed_over;                            // sections that are not read: "$Comments"
 };
 
 /// Dimension of Gmsh's element type `type`; refuses all but points, lines, triangles and tetrahedra of first

@@ -9,6 +9,16 @@ namespace {
 constexpr const char* kHowToSave =
     "Gmsh MSH 2.2 and 4.1 are accepted: gmsh FILE -save -format msh41 -o OUT.msh writes one";
 
+/// What stands before $MeshFormat is passed over as it is behind it, but for what the format decides about.
+void skip_to_format(Cursor& in) {
+  for (std::string_view rest = in.rest(); !rest.starts_with("$MeshFormat"); rest = in.rest()) {
+    const std::string section(in.word("$MeshFormat"));
+    if (!section.starts_with('$') || section == "$Nodes" || section == "$Elements" || section == "$Entities")
+      in.refuse_last(fmt::format("found '{}' where $MeshFormat is expected", printable(section)));
+    in.skip_past("$End" + section.substr(1));
+  }
+}
+
 /// Reads $MeshFormat and returns the version's first digit.
 int read_format(Cursor& in) {
   in.expect("$MeshFormat");
@@ -60,11 +70,16 @@ void read_section(Cursor& in, const std::string& name, int version, MshContent& 
     version == 2 ? read_msh2_nodes(in, content) : read_msh4_nodes(in, content);
   } else if (name == "Elements") {
     version == 2 ? read_msh2_elements(in, content) : read_msh4_elements(in, content);
+  } else if (name == "ParametricNodes") {
+    in.refuse_last(
+        "found $ParametricNodes, which is not read; $Nodes is accepted (Mesh.SaveParametric = 0 in Gmsh, and "
+        "saved again)");
   } else if (name == "PartitionedEntities") {
     in.refuse_last(
         "the mesh is partitioned; one piece is accepted (gmsh FILE -save -format msh22 -o OUT.msh joins it)");
   } else {
     in.skip_past("$End" + name);  // comments, fields, periodicity: nothing that a body needs
+    content.passed_over.push_back("$" + name);
     return;
   }
   in.expect("$End" + name);
@@ -74,6 +89,7 @@ void read_section(Cursor& in, const std::string& name, int version, MshContent& 
 
 TetMesh parse_msh(std::string_view bytes, const std::string& name) {
   Cursor in(bytes, name);
+  skip_to_format(in);
   const int version = read_format(in);
   MshContent content;
   while (!in.at_end()) {

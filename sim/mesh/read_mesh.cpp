@@ -31,7 +31,8 @@ MeshFile parse_mesh(std::string_view bytes, const std::string& name, double metr
   if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);  // the byte order mark of UTF-8 editors
   if (bytes.find_first_not_of(" \t\r\n") == std::string_view::npos)
     throw std::invalid_argument(fmt::format("{}: the file is empty; {}", name, kAccepted));
-  if (bytes.starts_with("$MeshFormat")) return mend(parse_msh(bytes, name), name, metres_per_unit);
+  if (bytes.starts_with('$') && bytes.find("$MeshFormat") != std::string_view::npos)
+    return mend(parse_msh(bytes, name), name, metres_per_unit);
   if (looks_like_xml(bytes)) return mend(parse_vtu(bytes, name), name, metres_per_unit);
   throw std::invalid_argument(fmt::format("{}:1: found '{}' at the start; {}", name,
                                           printable(bytes.substr(0, bytes.find('\n'))), kAccepted));

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -14,6 +15,10 @@
 
 namespace palpate::sim {
 namespace {
+
+// Keys of later versions, beside those that call for an effect (EffectKey).
+constexpr std::array<std::string_view, 2> kLaterRegionKeys{"relaxation", "volumetric"};
+constexpr std::array<std::string_view, 1> kLaterProbeKeys{"group"};
 
 Vec3 to_vec3(const base::Triple& values) {
   return Vec3(values.data());
@@ -135,6 +140,7 @@ BodySpec read_body(base::TomlReader& reader, const std::string& name, const std:
   if (auto regions = reader.table("regions")) {
     for (const std::string& region : regions->keys()) {
       auto table = regions->table(region);
+      table->refuse_later(kLaterRegionKeys);
       body.regions[region] = read_material(*table, body.material.poisson_ratio);
       table->refuse_unknown();
     }
@@ -186,6 +192,7 @@ ProbeSpec read_probe(base::TomlReader& reader, const std::string& name) {
   ProbeSpec probe{.name = name};
   probe.body = reader.required_text("body");
   probe.kind = read_word(reader, "kind", probe_kind_words());
+  reader.refuse_later(kLaterProbeKeys);
   const auto node = reader.integer("node");
   const auto at = reader.vector_quantity("at", base::Dimension::Length);
   if (node.has_value() == at.has_value())

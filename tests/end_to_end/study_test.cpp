@@ -122,7 +122,7 @@ TEST_F(StudyEndToEnd, ResultsGoToStdoutAndAPipeShowsNoBar) {
   const Outcome outcome = run(simulate("a.db", 1));
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.err, "");
-  EXPECT_THAT(outcome.out, HasSubstr("1 simulated examinees added"));
+  EXPECT_THAT(outcome.out, HasSubstr("1 simulated examinee added"));
   EXPECT_THAT(outcome.out, HasSubstr("receipt 10-"));  // the session's beginning, eight answers and its end
 }
 

@@ -26,6 +26,15 @@ sim::Scene scene_with(const Protocol& protocol, std::span<const sim::Override> o
   }
 }
 
+/// The scene file's text; that it cannot be read is told with the line that names it.
+std::string scene_text_of(const Protocol& protocol) {
+  try {
+    return base::read_file(protocol.scene_file, "a scene file");
+  } catch (const std::invalid_argument& error) {
+    refuse(protocol, protocol.scene_line, fmt::format("scene: {}", error.what()));
+  }
+}
+
 /// Each condition and each level by itself, so that the message can say which of them is wrong.
 void check_one_by_one(const Protocol& protocol) {
   for (const Condition& condition : protocol.conditions)
@@ -123,6 +132,7 @@ FileHash hash_of(const Protocol& protocol, const std::string& name, const std::f
 
 Protocol load_protocol(const std::filesystem::path& file) {
   Protocol protocol = parse_protocol(base::read_file(file), file);
+  protocol.scene_text = scene_text_of(protocol);
   const sim::Scene scene = sim::load_scene(protocol.scene_file);
   check_one_by_one(protocol);
   const std::vector<sim::Scene> scenes = scenes_of(protocol);
@@ -131,7 +141,6 @@ Protocol load_protocol(const std::filesystem::path& file) {
   check_depth(protocol, scenes);
   settle_answer(protocol, scenes);
 
-  protocol.scene_text = base::read_file(protocol.scene_file);
   protocol.files.push_back({"scene", protocol.scene_file, base::sha256_hex(protocol.scene_text)});
   for (const sim::BodySpec& body : scene.bodies)
     protocol.files.push_back(hash_of(protocol, body.name, body.mesh));

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <sstream>
 #include <stdexcept>
 
@@ -19,9 +20,22 @@ constexpr std::int64_t kMostPresses = 1000;  // in an interval: more is a slip o
 constexpr std::int64_t kMostExaminees = 100000;
 constexpr double kLeastTime = 0.5;  // of an interval [s]
 
+// Keys of later versions, in whichever table they stand; those of a procedure in its table only.
+constexpr std::array<std::string_view, 14> kLaterKeys{
+    "level",   "levels", "trials_per_level", "practice", "language",    "participants", "instructions",
+    "consent", "tracks", "confidence",       "feedback", "force_scale", "device",       "questionnaire"};
+constexpr std::array<std::string_view, 30> kLaterProcedureKeys{
+    "start",    "steps",    "step_type",  "up",      "down",        "initial_one_up_one_down",
+    "min",      "max",      "stop",       "step_up", "step_down",   "first_step",
+    "min_step", "max_step", "target",     "wald",    "guess_level", "guess_sd",
+    "alpha",    "beta",     "delta",      "gamma",   "grain",       "range",
+    "next",     "function", "parameters", "prior",   "lapse",       "task"};
+
 TomlReader section(TomlReader& reader, std::string_view key, std::string_view accepted) {
   reader.required(key, accepted);
-  return *reader.table(key);
+  TomlReader table = *reader.table(key);
+  table.refuse_later(kLaterKeys);
+  return table;
 }
 
 void check_name(const TomlReader& reader, std::string_view key, std::string_view name) {
@@ -48,7 +62,8 @@ std::string as_toml(const TomlReader& reader, std::string_view key, const toml::
 }
 
 std::vector<Condition> read_conditions(TomlReader& reader) {
-  TomlReader all = section(reader, "conditions", "accepted: one table [conditions.NAME] a condition");
+  reader.required("conditions", "accepted: one table [conditions.NAME] a condition");
+  TomlReader all = *reader.table("conditions");  // whose keys are names
   std::vector<Condition> conditions;
   for (const std::string& name : all.keys()) {
     check_name(all, name, name);
@@ -99,7 +114,9 @@ void read_task(TomlReader task, Protocol& protocol) {
 }
 
 void read_procedure_and_order(TomlReader procedure, TomlReader order, Protocol& protocol) {
-  protocol.procedure = named(procedure, procedures(), {"staircase", "QUEST+"});
+  protocol.procedure = named(procedure, procedures(),
+                             {"staircase", "weighted", "pest", "quest", "QUEST+", "questplus", "psi"});
+  procedure.refuse_later(kLaterProcedureKeys);
   protocol.procedure->read(procedure, protocol);
   procedure.refuse_unknown();
   protocol.cell_order = word(order, "cells", kCellOrderWords, Words{"blocked", "balanced"});
@@ -188,6 +205,7 @@ DuringInterval read_display(TomlReader reader) {
 Protocol parse_protocol(std::string text, const std::filesystem::path& file) {
   const toml::table root = base::parse_toml(text, file.string());
   TomlReader reader(root, file.string());
+  reader.refuse_later(kLaterKeys);
   Protocol protocol;
   protocol.file = file;
   protocol.sha256 = base::sha256_hex(text);
@@ -195,6 +213,7 @@ Protocol parse_protocol(std::string text, const std::filesystem::path& file) {
   protocol.name = reader.required_text("name");
   check_name(reader, "name", protocol.name);
   protocol.scene_file = file.parent_path() / reader.required_text("scene");
+  protocol.scene_line = line_of(*reader.node("scene"));
   protocol.question = reader.required_text("question");
   if (protocol.question.empty()) reader.refuse("question", "is empty; accepted: what the examinee is asked");
   protocol.conditions = read_conditions(reader);

@@ -105,6 +105,7 @@ struct Protocol {
   std::filesystem::path file;        // where it was read
   std::string text;                  // the file, byte for byte
   std::string sha256;                // of text
+  int scene_line = 0;                // of the protocol: where it names the scene
   std::filesystem::path scene_file;  // as found from the working directory
   std::string scene_text;
   std::vector<FileHash> files;  // the scene, then each body's mesh

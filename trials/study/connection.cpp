@@ -5,6 +5,8 @@
 
 #include <stdexcept>
 
+#include "base/text/utf8.hpp"
+
 namespace palpate::trials {
 namespace {
 
@@ -65,8 +67,13 @@ void fold_in_log(SQLite::Database& database) {
     throw SQLite::Exception(handle, code);
 }
 
+bool is_damage(const SQLite::Exception& error) {
+  const int code = error.getErrorCode();
+  return code == SQLITE_CORRUPT || code == SQLITE_NOTADB || code == SQLITE_ERROR;
+}
+
 void rethrow(const SQLite::Exception& error, const std::filesystem::path& file) {
-  const std::string said = error.what();
+  const std::string said = base::printable(error.what());
   switch (error.getErrorCode()) {
     case SQLITE_CORRUPT:
     case SQLITE_NOTADB:

@@ -24,6 +24,9 @@ std::uintmax_t write_ahead_log_size(const std::filesystem::path& file);
 /// still needs it. Outside any transaction.
 void fold_in_log(SQLite::Database& database);
 
+/// Whether SQLite found the file itself at fault: damaged, or a table or column missing.
+bool is_damage(const SQLite::Exception& error);
+
 /// What SQLite says, with the file and what it means: bad input when the file is damaged or no database
 /// (std::invalid_argument), else a failure of the machine (std::runtime_error).
 [[noreturn]] void rethrow(const SQLite::Exception& error, const std::filesystem::path& file);

@@ -22,12 +22,12 @@ char lower(char c) {
 }  // namespace
 
 void check_examinee_code(std::string_view code) {
-  const bool fits = !code.empty() && code.size() <= 32 &&
+  const bool fits = !code.empty() && code.size() <= 32 && code.front() != '-' &&
                     std::ranges::all_of(code, [](char c) { return is_letter(c) || is_digit(c) || c == '-'; });
   if (!fits)
     throw std::invalid_argument(fmt::format(
-        "examinee: found \"{}\", accepted: a code of 1 to 32 letters, digits and hyphens, such as P01 "
-        "(never a name)",
+        "examinee: found \"{}\", accepted: a code of 1 to 32 letters, digits and hyphens that begins "
+        "with a letter or digit, such as P01 (never a name)",
         code));
 }
 

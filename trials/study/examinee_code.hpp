@@ -6,7 +6,8 @@
 
 namespace palpate::trials {
 
-/// Throws std::invalid_argument unless `code` is 1 to 32 letters, digits and hyphens. Codes, never names.
+/// Throws std::invalid_argument unless `code` is 1 to 32 letters, digits and hyphens and begins with no hyphen.
+/// Codes, never names.
 void check_examinee_code(std::string_view code);
 
 /// The code without case, hyphens and leading zeros of its numbers: P01, p1 and P-1 are all "p1".

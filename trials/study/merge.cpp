@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "base/clock/utc.hpp"
+#include "base/text/counted.hpp"
 #include "trials/study/chain_parts.hpp"
 #include "trials/study/examinee_code.hpp"
 #include "trials/study/file_check.hpp"
@@ -83,7 +84,9 @@ void check_codes(const std::vector<Source>& sources) {
 }
 
 void check_sources(const std::vector<Source>& sources) {
-  if (sources.size() < 2) refuse("{} study files to join; accepted: two or more", sources.size());
+  if (sources.size() < 2)
+    refuse("{} to join; accepted: two or more",
+           base::counted(std::ssize(sources), "study file", "study files"));
   for (std::size_t i = 0; i < sources.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) check_fit(sources[j], sources[i]);
   check_codes(sources);

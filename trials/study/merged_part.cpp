@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "base/text/json_words.hpp"
+
 namespace palpate::trials {
 
 using nlohmann::json;
@@ -38,8 +40,9 @@ std::vector<MergedPart> merged_parts(const std::vector<EventRow>& events) {
                        .sessions = part.at("sessions"),
                        .receipt = parse_receipt(part.at("receipt").get<std::string>())});
   } catch (const json::exception& error) {
-    throw std::invalid_argument(fmt::format(
-        "the study file is damaged: of which files it was joined cannot be read ({})", error.what()));
+    throw std::invalid_argument(
+        fmt::format("the study file is damaged: of which files it was joined cannot be read ({})",
+                    base::json_words(error.what())));
   }
   return parts;
 }

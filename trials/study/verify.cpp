@@ -7,6 +7,8 @@
 #include <stdexcept>
 
 #include "base/files/sha256.hpp"
+#include "base/text/counted.hpp"
+#include "base/text/utf8.hpp"
 #include "trials/study/chain_parts.hpp"
 #include "trials/study/file_check.hpp"
 #include "trials/study/lost_answers.hpp"
@@ -92,9 +94,9 @@ void check_receipt(const StudyFile::Stores& stores, const ChainParts& chains, co
     problems.add("{}: if it is what was printed, this is another study", unless);
   else if (receipt.entries > static_cast<std::int64_t>(ledger.size()))
     problems.add(
-        "{}: it was printed for {} entries, the file holds {}; if it is what was printed, the file was cut "
+        "{}: it was printed for {}, the file holds {}; if it is what was printed, the file was cut "
         "back or is another study's",
-        unless, receipt.entries, ledger.size());
+        unless, base::counted(receipt.entries, "entry", "entries"), ledger.size());
   else
     problems.add(
         "{}: entry {} is not the one that it was printed for; if it is what was printed, the file was "
@@ -174,15 +176,16 @@ VerifyReport verify_study(const std::filesystem::path& path, const std::optional
   const Asked asked{path, receipt, scope, read_head(path)};
   report.notes = notes_on(path, asked.beside);
   guarded(path, [&] {
-    SQLite::Database database = open_for_reading(path);
-    database.exec("BEGIN");  // one snapshot: a sitting may go on meanwhile
-    const auto differences = schema_differences(database);
-    for (const std::string& difference : differences) problems.add("{}", difference);
+    std::vector<std::string> differences;
     try {
+      SQLite::Database database = open_for_reading(path);
+      database.exec("BEGIN");  // one snapshot: a sitting may go on meanwhile
+      differences = schema_differences(database);
+      for (const std::string& difference : differences) problems.add("{}", base::printable(difference));
       check_rows(asked, std::move(database), report, problems);
     } catch (const SQLite::Exception& error) {
-      if (differences.empty()) throw;
-      problems.add("schema: the rest was not looked at ({})", error.what());
+      if (differences.empty() && !is_damage(error)) throw;
+      problems.add("database: damaged, and the rest was not looked at ({})", base::printable(error.what()));
     } catch (const std::invalid_argument& error) {
       problems.add("the rest was not looked at: {}", error.what());
     }
@@ -195,8 +198,8 @@ void require_whole(const std::filesystem::path& study) {
   const auto problems = verify_study(study, {}, VerifyScope::Answers).problems;
   if (problems.empty()) return;
   throw std::invalid_argument(fmt::format(
-      "{0}: the study file is not whole ({1} problem{2}; the first: {3}); `palpate verify {0}` lists them",
-      study.string(), problems.size(), problems.size() == 1 ? "" : "s", problems.front()));
+      "{0}: the study file is not whole ({1}; the first: {2}); `palpate verify {0}` lists them",
+      study.string(), base::counted(std::ssize(problems), "problem", "problems"), problems.front()));
 }
 
 }  // namespace palpate::trials

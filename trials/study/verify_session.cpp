@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "base/files/sha256.hpp"
+#include "base/text/counted.hpp"
 #include "trials/study/answered_trials.hpp"
 #include "trials/study/sitting_state.hpp"
 
@@ -107,12 +108,12 @@ int check_plan(const SittingInFile& in, const std::string& who, const SittingRow
     if (!draws.contains(number)) problems.add("{}, trial {}: is missing", who, number);
   for (const auto& [number, count] : draws)
     if (number < 1 || number > asked)
-      problems.add("{}, trial {}: the protocol has {} trials", who, number, asked);
+      problems.add("{}, trial {}: the protocol has {}", who, number, base::counted(asked, "trial", "trials"));
   const auto found = count_by_cell(design, ahead), accepted = count_by_cell(design, to_be);
   for (std::size_t cell = 0; cell < found.size(); ++cell)
     if (found[cell] != accepted[cell])
-      problems.add("{}: {} trials of cell {}, the protocol has {}", who, found[cell], design.cells[cell].name,
-                   accepted[cell]);
+      problems.add("{}: {} of cell {}, the protocol has {}", who,
+                   base::counted(found[cell], "trial", "trials"), design.cells[cell].name, accepted[cell]);
   return asked;
 }
 
@@ -190,7 +191,7 @@ void check_answers(const SittingInFile& in, const std::string& who, SittingRows 
                                          answered.drawn, shown_for(answered), answer);
   }
   if (in.session.ended_utc && answers != asked)
-    problems.add("{}: has ended with {} answers of {}", who, answers, asked);
+    problems.add("{}: has ended with {} of {}", who, base::counted(answers, "answer", "answers"), asked);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "analysis/statistics/beta_binomial/beta_binomial_fit.hpp"
+#include "base/text/counted.hpp"
 
 namespace palpate::analysis {
 namespace {
@@ -19,8 +20,8 @@ void check(std::span<const ExamineeCount> counts, const BetaBinomialOptions& opt
   require_level(options.chance, "chance");
   if (counts.size() < 2) {
     throw std::invalid_argument(
-        fmt::format("{} examinee(s); overdispersion is a difference between examinees, at least 2 are needed",
-                    counts.size()));
+        fmt::format("{}; overdispersion is a difference between examinees, at least 2 are needed",
+                    base::counted(std::ssize(counts), "examinee", "examinees")));
   }
   long correct = 0, trials = 0, most = 0;
   for (const ExamineeCount& count : counts) {

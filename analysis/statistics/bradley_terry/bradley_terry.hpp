@@ -15,6 +15,9 @@ struct Comparison {
   long count = 1;
 };
 
+/// Throws std::invalid_argument for an item against itself and a count below 1.
+void validate(const Comparison& one);
+
 enum class ScaleModel {
   BradleyTerry,  // logit P(i over j) = s_i - s_j
   ThurstoneV     // probit P(i over j) = s_i - s_j: the unit is the standard deviation of a difference

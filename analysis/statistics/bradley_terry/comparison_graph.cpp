@@ -71,17 +71,18 @@ void refuse_one_sided(const ComparisonGraph& graph) {
 
 }  // namespace
 
+void validate(const Comparison& one) {
+  if (one.winner == one.loser)
+    throw std::invalid_argument(fmt::format("'{}' is compared with itself; accepted: two items", one.winner));
+  if (one.count < 1)
+    throw std::invalid_argument(fmt::format("count is {} for '{}' over '{}'; accepted: 1 and more", one.count,
+                                            one.winner, one.loser));
+}
+
 ComparisonGraph comparison_graph(const std::vector<Comparison>& comparisons) {
   std::set<std::string> names;
   for (const Comparison& one : comparisons) {
-    if (one.winner == one.loser) {
-      throw std::invalid_argument(
-          fmt::format("'{}' is compared with itself; accepted: two items", one.winner));
-    }
-    if (one.count < 1) {
-      throw std::invalid_argument(fmt::format("count is {} for '{}' over '{}'; accepted: 1 and more",
-                                              one.count, one.winner, one.loser));
-    }
+    validate(one);
     names.insert({one.winner, one.loser});
   }
   if (names.empty()) throw std::invalid_argument("no comparisons; a scale needs two items at least");

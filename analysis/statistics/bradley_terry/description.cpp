@@ -23,6 +23,7 @@ std::vector<Comparison> read_comparisons(const DataTable& table) {
   for (std::size_t row = 0; row < winners.size(); ++row) {
     if (counts[row] == 0) continue;  // a table of all pairs has such cells
     comparisons.push_back({.winner = winners[row], .loser = losers[row], .count = counts[row]});
+    at_row(table, row, [&] { validate(comparisons.back()); });
   }
   return comparisons;
 }

@@ -8,6 +8,7 @@
 
 #include "analysis/numerics/proportion_interval.hpp"
 #include "analysis/resampling/shuffled_rows.hpp"
+#include "base/text/counted.hpp"
 
 namespace palpate::analysis {
 namespace {
@@ -16,7 +17,8 @@ using Rows = std::vector<std::vector<long>>;
 
 Rows rows_of(const std::vector<std::vector<double>>& columns) {
   if (columns.size() < 2) {
-    throw std::invalid_argument(fmt::format("{} columns; at least 2 are compared", columns.size()));
+    throw std::invalid_argument(
+        fmt::format("{}; at least 2 are compared", base::counted(std::ssize(columns), "column", "columns")));
   }
   Rows rows(columns.front().size(), std::vector<long>(columns.size()));
   if (rows.empty()) throw std::invalid_argument("no rows; Cochran's test needs at least 1");

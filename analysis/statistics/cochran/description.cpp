@@ -52,7 +52,7 @@ std::string in_words(const CochranTest& test, const std::vector<std::string>& na
 
 Outcome cochran_outcome(const Arguments& asked) {
   const std::vector<std::string> names = matrix_names(asked.table);
-  const CochranTest test = cochran_test(number_columns(asked.table), bootstrap_options(asked));
+  const CochranTest test = cochran_test(binary_columns(asked.table), bootstrap_options(asked));
   return {.json = as_json(test, names), .text = in_words(test, names)};
 }
 

@@ -9,6 +9,7 @@
 
 #include "analysis/numerics/rounding.hpp"
 #include "analysis/resampling/shuffled_rows.hpp"
+#include "base/text/counted.hpp"
 
 namespace palpate::analysis {
 namespace {
@@ -49,7 +50,8 @@ double concordance(const std::vector<RankedRow>& rows, std::span<const std::size
 
 void validate(const std::vector<std::vector<double>>& columns) {
   if (columns.size() < 2) {
-    throw std::invalid_argument(fmt::format("{} columns; at least 2 are compared", columns.size()));
+    throw std::invalid_argument(
+        fmt::format("{}; at least 2 are compared", base::counted(std::ssize(columns), "column", "columns")));
   }
   for (const std::vector<double>& column : columns) {
     if (column.size() != columns.front().size()) {
@@ -58,8 +60,8 @@ void validate(const std::vector<std::vector<double>>& columns) {
     for (const double value : column) require_finite(value, "value");
   }
   if (columns.front().size() < 2) {
-    throw std::invalid_argument(
-        fmt::format("{} rows; at least 2 examinees are needed", columns.front().size()));
+    throw std::invalid_argument(fmt::format("{}; at least 2 examinees are needed",
+                                            base::counted(std::ssize(columns.front()), "row", "rows")));
   }
 }
 

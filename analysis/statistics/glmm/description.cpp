@@ -27,13 +27,13 @@ std::vector<LevelAnswers> read_answers(const DataTable& table) {
   }
   const std::vector<std::string>& examinees = text_column(table, "examinee");
   const std::vector<double> levels = settled_values(number_column(table, "level"));
-  const std::vector<long> ones = count_column(table, single ? "response" : "correct");
+  const std::vector<long> ones = single ? binary_column(table, "response") : count_column(table, "correct");
   const std::vector<long> trials = single ? std::vector<long>(ones.size(), 1) : count_column(table, "trials");
   std::vector<LevelAnswers> answers;
   for (std::size_t row = 0; row < ones.size(); ++row) {
     if (trials[row] < 1 || ones[row] < 0 || ones[row] > trials[row]) {
-      throw std::invalid_argument(fmt::format("{}:{}: {} of {}; accepted: 0 to all of at least one trial",
-                                              table.source, table.lines[row], ones[row], trials[row]));
+      throw std::invalid_argument(fmt::format("{}: {} of {}; accepted: 0 to all of at least one trial",
+                                              place_of(table, row), ones[row], trials[row]));
     }
     answers.push_back(
         {.examinee = examinees[row], .level = levels[row], .ones = ones[row], .trials = trials[row]});
@@ -182,13 +182,14 @@ std::vector<Input> glmm_inputs() {
 }
 
 Data data() {
-  return {.shape = Data::Shape::Columns,
-          .meaning = "one answer a row, or the counts of one examinee at one level",
-          .columns = {{.name = "examinee", .meaning = "Who answered: any text"},
-                      {.name = "level", .meaning = "Of the stimulus"},
-                      {.name = "response", .meaning = "The answer, 0 or 1", .optional = true},
-                      {.name = "correct", .meaning = "Or: answers that were 1", .optional = true},
-                      {.name = "trials", .meaning = "of so many", .optional = true}}};
+  return {
+      .shape = Data::Shape::Columns,
+      .meaning = "one answer a row, or the counts of one examinee at one level",
+      .columns = {{.name = "examinee", .meaning = "Who answered: any text"},
+                  {.name = "level", .meaning = "Of the stimulus"},
+                  {.name = "response", .meaning = "The answer: 0 or 1, or false or true", .optional = true},
+                  {.name = "correct", .meaning = "Or: answers that were 1", .optional = true},
+                  {.name = "trials", .meaning = "of so many", .optional = true}}};
 }
 
 std::vector<Output> glmm_outputs() {

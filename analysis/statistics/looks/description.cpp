@@ -40,9 +40,9 @@ Outcome looks_outcome(const Arguments& asked) {
          {"at_least", look.critical.at_least ? nlohmann::ordered_json(*look.critical.at_least) : nullptr},
          {"at_most", look.critical.at_most ? nlohmann::ordered_json(*look.critical.at_most) : nullptr},
          {"rejected_by_now", look.size}});
-    outcome.text +=
-        fmt::format("{} answers: {} (alpha spent {}; guessers rejected by now {})\n", look.critical.trials,
-                    region(look.critical), number(look.critical.alpha), number(look.size));
+    outcome.text += fmt::format("{}: {} (alpha spent {}; guessers rejected by now {})\n",
+                                counted(look.critical.trials, "answer", "answers"), region(look.critical),
+                                number(look.critical.alpha), number(look.size));
   }
   outcome.text += method_line(looks.back().critical.method);
   outcome.json = {{"procedure", "looks"},

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "analysis/binomial/counts_distribution.hpp"
+#include "base/text/counted.hpp"
 
 namespace palpate::analysis {
 namespace {
@@ -23,8 +24,8 @@ void validate(std::span<const long> trials, double chance, double alpha, Side si
   }
   for (std::size_t i = 0; i < trials.size(); ++i) {
     if (trials[i] > (i == 0 ? 0 : trials[i - 1])) continue;
-    throw std::invalid_argument(fmt::format(
-        "look {} comes after {} answers; accepted: more than at the look before", i + 1, trials[i]));
+    throw std::invalid_argument(fmt::format("look {} comes after {}; accepted: more than at the look before",
+                                            i + 1, base::counted(trials[i], "answer", "answers")));
   }
   if (trials.empty()) throw std::invalid_argument("no look; accepted: one or more");
 }

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "analysis/numerics/infinity.hpp"
+#include "base/text/counted.hpp"
 
 namespace palpate::analysis {
 namespace {
@@ -67,9 +68,10 @@ Outcome merge_bootstrap(const std::vector<ordered_json>& shards) {
     const long first = part->at("first"), end = part->at("end");
     const std::vector<Replicate> some = replicates_from(part->at("values"));
     if (first != std::ssize(replicates) || end - first != std::ssize(some)) {
-      throw std::invalid_argument(
-          fmt::format("shard {} holds {} replicates from number {} on; expected: number {} next",
-                      part->at("shard").get<std::string>(), some.size(), first + 1, replicates.size() + 1));
+      throw std::invalid_argument(fmt::format("shard {} holds {} from number {} on; expected: number {} next",
+                                              part->at("shard").get<std::string>(),
+                                              base::counted(std::ssize(some), "replicate", "replicates"),
+                                              first + 1, replicates.size() + 1));
     }
     replicates.insert(replicates.end(), some.begin(), some.end());
   }

@@ -86,9 +86,10 @@ Outcome psychometric_compare_outcome(const Arguments& asked) {
                            {"separate", joint_json(found.separate, conditions, model)},
                            {"together", when_answered(joint_json(found.same, conditions, model))},
                            {"method", to_json(found.method)}}};
-  outcome.text = fmt::format("{} with {} answers, {} functions, guess {}\n",
-                             counted(std::ssize(conditions), "condition", "conditions"), trials,
-                             name_of(model.shape), model.guess == 0 ? "0" : chance_in_words(model.guess));
+  outcome.text = fmt::format("{} with {}, {} functions, guess {}\n",
+                             counted(std::ssize(conditions), "condition", "conditions"),
+                             counted(trials, "answer", "answers"), name_of(model.shape),
+                             model.guess == 0 ? "0" : chance_in_words(model.guess));
   if (answered) {
     outcome.text +=
         fmt::format("That {}: {} (chi-squared {} on {} of freedom, an approximation)\n", hypothesis_of(same),

@@ -20,8 +20,10 @@ std::vector<OrderStratum> strata_of(const DataTable& table) {
   const auto trials = count_column(table, "trials"), first = count_column(table, "correct_first"),
              answers = count_column(table, "answers_first"), correct = count_column(table, "correct");
   std::vector<OrderStratum> strata;
-  for (std::size_t i = 0; i < trials.size(); ++i)
+  for (std::size_t i = 0; i < trials.size(); ++i) {
     strata.push_back({trials[i], first[i], answers[i], correct[i]});
+    at_row(table, i, [&] { validate(strata.back()); });
+  }
   const long all = std::accumulate(trials.begin(), trials.end(), 0L);
   if (all <= kMostRandomised) return strata;
   throw std::invalid_argument(

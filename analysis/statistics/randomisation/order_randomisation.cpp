@@ -13,7 +13,6 @@
 #include "analysis/binomial/counts_distribution.hpp"
 
 namespace palpate::analysis {
-namespace {
 
 void validate(const OrderStratum& s) {
   const auto within = [&](long count) { return count >= 0 && count <= s.trials; };
@@ -30,6 +29,8 @@ void validate(const OrderStratum& s) {
                   "correct contradicts itself",
                   s.trials, s.correct_first, s.answers_first, s.correct));
 }
+
+namespace {
 
 /// Probability of 0, 1, ... trials correct answers in one stratum.
 std::vector<double> of_stratum(const OrderStratum& s) {

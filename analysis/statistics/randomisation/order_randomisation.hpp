@@ -16,6 +16,9 @@ struct OrderStratum {
   long correct = 0;        // trials answered correctly
 };
 
+/// Throws std::invalid_argument unless some order of some answers gives these counts.
+void validate(const OrderStratum& stratum);
+
 struct OrderRandomisationTest {
   long correct = 0, trials = 0;
   PValues p{};

@@ -20,6 +20,7 @@ std::vector<MagnitudeEstimate> read_estimates(const DataTable& table) {
   std::vector<MagnitudeEstimate> estimates;
   for (std::size_t row = 0; row < values.size(); ++row) {
     estimates.push_back({.examinee = examinees[row], .level = levels[row], .estimate = values[row]});
+    at_row(table, row, [&] { validate(estimates.back()); });
   }
   return estimates;
 }

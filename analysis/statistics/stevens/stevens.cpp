@@ -8,6 +8,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "base/text/counted.hpp"
+
 namespace palpate::analysis {
 namespace {
 
@@ -44,14 +46,7 @@ bool has_two_levels(const std::vector<Point>& points) {
 ByExaminee group(const std::vector<MagnitudeEstimate>& estimates) {
   ByExaminee grouped;
   for (const MagnitudeEstimate& one : estimates) {
-    require_finite(one.level, "level");
-    require_finite(one.estimate, "estimate");
-    if (one.level <= 0 || one.estimate <= 0) {
-      throw std::invalid_argument(fmt::format(
-          "level {} was judged {} by '{}'; a power law needs both above 0: say beforehand what is "
-          "done about estimates of 0",
-          one.level, one.estimate, one.examinee));
-    }
+    validate(one);
     grouped[one.examinee].push_back({.x = std::log(one.level), .y = std::log(one.estimate)});
   }
   return grouped;
@@ -108,6 +103,16 @@ std::optional<ExponentsOfExaminees> exponents_of(const ByExaminee& grouped, doub
 
 }  // namespace
 
+void validate(const MagnitudeEstimate& one) {
+  require_finite(one.level, "level");
+  require_finite(one.estimate, "estimate");
+  if (one.level > 0 && one.estimate > 0) return;
+  throw std::invalid_argument(
+      fmt::format("level {} was judged {} by '{}'; a power law needs both above 0: say beforehand what is "
+                  "done about estimates of 0",
+                  one.level, one.estimate, one.examinee));
+}
+
 StevensFit stevens_fit(const std::vector<MagnitudeEstimate>& estimates, double level) {
   require_level(level, "confidence level");
   const ByExaminee grouped = group(estimates);
@@ -121,10 +126,11 @@ StevensFit stevens_fit(const std::vector<MagnitudeEstimate>& estimates, double l
   StevensFit fit{.examinees = grouped.size(), .estimates = estimates.size()};
   fit.degrees_of_freedom = static_cast<long>(estimates.size()) - static_cast<long>(grouped.size()) - 1;
   if (fit.degrees_of_freedom < 1) {
-    throw std::invalid_argument(fmt::format(
-        "{} estimates of {} examinees; after a factor for each and the exponent none is left over to "
-        "judge the line by",
-        fit.estimates, fit.examinees));
+    throw std::invalid_argument(
+        fmt::format("{} of {}; after a factor for each and the exponent none is left over to "
+                    "judge the line by",
+                    base::counted(static_cast<long>(fit.estimates), "estimate", "estimates"),
+                    base::counted(static_cast<long>(fit.examinees), "examinee", "examinees")));
   }
   const double degrees = static_cast<double>(fit.degrees_of_freedom);
   fit.exponent = sums.xy / sums.xx;

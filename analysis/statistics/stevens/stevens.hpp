@@ -15,6 +15,9 @@ struct MagnitudeEstimate {
   double estimate = 0.0;  // > 0, in the examinee's own unit
 };
 
+/// Throws std::invalid_argument unless level and estimate are above 0 and finite.
+void validate(const MagnitudeEstimate& one);
+
 struct LevelMean {
   double level = 0.0;
   double geometric_mean = 0.0;  // over examinees, each one's own geometric mean counting once

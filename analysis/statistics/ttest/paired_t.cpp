@@ -14,6 +14,8 @@
 
 #include "analysis/numerics/rounding.hpp"
 
+#include "base/text/counted.hpp"
+
 namespace palpate::analysis {
 namespace {
 
@@ -49,7 +51,8 @@ Interval dz_interval(double t, double n, double level) {
 void validate(std::span<const double> differences, double level) {
   if (differences.size() < 2) {
     throw std::invalid_argument(
-        fmt::format("{} differences; the t-test needs at least 2", differences.size()));
+        fmt::format("{}; the t-test needs at least 2",
+                    base::counted(std::ssize(differences), "difference", "differences")));
   }
   for (const double difference : differences) require_finite(difference, "difference");
   require_level(level, "confidence level");

@@ -25,7 +25,8 @@ std::string region_in_words(const analysis::CriticalNumber& critical) {
   if (critical.at_least && critical.at_most) numbers += ", or ";
   if (critical.at_most) numbers += fmt::format("{} or fewer", *critical.at_most);
   if (numbers.empty())
-    return fmt::format("none: {} trials in a cell are too few to reject guessing", critical.trials);
+    return fmt::format("none: {} in a cell, too few to reject guessing",
+                       analysis::counted(critical.trials, "trial", "trials"));
   return fmt::format("{} correct of {} in a cell", numbers, critical.trials);
 }
 
@@ -37,8 +38,9 @@ void print_regions(const ProtocolCheck& check) {
     fmt::print("  critical value  {} (size {:.4f})\n", region_in_words(*regions.critical),
                regions.critical->size);
   for (const analysis::PlannedLook& look : regions.looks)
-    fmt::print("  critical value  at {} examinees: {} (size by then {:.4f})\n",
-               look.critical.trials / check.protocol.trials_per_examinee_per_cell,
+    fmt::print("  critical value  at {}: {} (size by then {:.4f})\n",
+               analysis::counted(look.critical.trials / check.protocol.trials_per_examinee_per_cell,
+                                 "examinee", "examinees"),
                region_in_words(look.critical), look.size);
 }
 
@@ -85,8 +87,8 @@ void print_text(const ProtocolCheck& check) {
   const trials::Task& task = *check.protocol.task;
   fmt::print("  task            {}, {}\n", task.name, task.question_in_words(check.protocol));
   fmt::print("  cells           {}\n", fmt::join(plan.cells, ", "));
-  fmt::print("  trials          {} an examinee, {} examinees planned: {} in each cell\n",
-             plan.trials_per_session, plan.planned_examinees, plan.trials_per_cell);
+  fmt::print("  trials          {} an examinee, {} planned: {} in each cell\n", plan.trials_per_session,
+             analysis::counted(plan.planned_examinees, "examinee", "examinees"), plan.trials_per_cell);
   fmt::print("{}", analysis::wrapped(plan.order, "  order           ", "                  "));
   fmt::print("  predictability  the best rule that feels nothing is right in {:.0f} % of trials\n",
              100 * plan.best_guess);

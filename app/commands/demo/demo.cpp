@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
+#include <stdexcept>
 #include <string>
+#include <system_error>
 
 #include "analysis/report/write_report.hpp"
 #include "app/command_line/output.hpp"
@@ -12,6 +15,8 @@
 #include "app/study/study_table.hpp"
 #include "base/clock/utc.hpp"
 #include "base/files/atomic_file.hpp"
+#include "base/files/file_error.hpp"
+#include "base/text/counted.hpp"
 
 namespace palpate::app {
 namespace {
@@ -28,7 +33,13 @@ std::filesystem::path fresh_folder(const std::filesystem::path& wanted) {
   std::filesystem::path folder = wanted;
   for (int number = 2; std::filesystem::exists(folder); ++number)
     folder = fmt::format("{}-{}", wanted.string(), number);
-  std::filesystem::create_directories(folder);
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error == std::errc::not_a_directory)
+    throw std::invalid_argument(
+        fmt::format("--out {}: a part of it is a file; accepted: a folder, or a name that is not taken",
+                    wanted.string()));
+  if (error) base::throw_cannot(error.value(), "make a folder there", folder);
   return folder;
 }
 
@@ -38,8 +49,8 @@ void run_demo(const DemoOptions& options) {
   const std::filesystem::path folder = fresh_folder(options.out);
   const std::filesystem::path study = folder / "study.db", page = folder / "report.html";
 
-  fmt::print(stderr, "The study of Kuroda et al. 2003 with {} simulated examinees, in {}\n",
-             options.examinees, study.string());
+  fmt::print(stderr, "The study of Kuroda et al. 2003 with {}, in {}\n",
+             base::counted(options.examinees, "simulated examinee", "simulated examinees"), study.string());
   const SimulationResult result = run_simulation(protocol, study, options.examinees, observer, options.seed);
   const analysis::StudyReport report = analysis::analyse(read_study_table(trials::read_study(study)),
                                                          {.run_mode = "simulated",

@@ -10,6 +10,7 @@
 
 #include "app/command_line/output.hpp"
 #include "app/study/merged_parts_json.hpp"
+#include "base/text/counted.hpp"
 #include "trials/study/merge.hpp"
 
 namespace palpate::app {
@@ -42,11 +43,12 @@ void run_merge(const MergeOptions& options) {
                 {"receipt", trials::to_string(study.receipt())}});
     return;
   }
-  fmt::print("{}: {} sittings of {} study files\n", options.out, study.sessions().size(), parts.size());
+  fmt::print("{}: {} of {} study files\n", options.out,
+             base::counted(std::ssize(study.sessions()), "sitting", "sittings"), parts.size());
   for (const trials::MergedPart& part : parts)
-    fmt::print("  {}{}: {} sittings, receipt {}\n", part.file,
-               part.site.empty() ? "" : fmt::format(" (site {})", part.site), part.sessions,
-               trials::to_string(part.receipt));
+    fmt::print("  {}{}: {}, receipt {}\n", part.file,
+               part.site.empty() ? "" : fmt::format(" (site {})", part.site),
+               base::counted(part.sessions, "sitting", "sittings"), trials::to_string(part.receipt));
   fmt::print("receipt {}\n", trials::to_string(study.receipt()));
 }
 

@@ -9,6 +9,7 @@
 
 #include "app/command_line/output.hpp"
 #include "app/commands/mesh/mesh_report.hpp"
+#include "base/files/folder_of.hpp"
 #include "base/text/quantity.hpp"
 #include "sim/mesh/write_msh.hpp"
 #include "sim/mesh/write_vtu.hpp"
@@ -33,6 +34,7 @@ void run_mesh(const MeshOptions& options) {
   if (!options.out.empty() && std::filesystem::equivalent(options.out, options.file, none))
     throw std::invalid_argument(fmt::format(
         "--out {}: is the mesh itself, whose unit would change; accepted: another name", options.out));
+  if (!options.out.empty()) base::require_folder_of(options.out);
   const MeshReport report = inspect_mesh(options.file, base::metres_per_unit(options.unit));
   if (!options.out.empty()) {
     if (std::filesystem::path(options.out).extension() == ".msh")

@@ -7,6 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "base/text/counted.hpp"
+#include "sim/mesh/name_groups.hpp"
+
 namespace palpate::app {
 namespace {
 
@@ -20,13 +23,14 @@ std::map<std::string, int> count_regions(const sim::TetMesh& mesh) {
 
 std::string text_of_repairs(const sim::MeshRepairs& repairs) {
   std::string text;
-  const auto add = [&](int count, const std::string& what) {
-    if (count > 0) text += fmt::format("  {} {}\n", count, what);
+  const auto add = [&](int count, const std::string& one, const std::string& several) {
+    if (count > 0) text += fmt::format("  {}\n", base::counted(count, one, several));
   };
-  add(repairs.reordered_tetrahedra, "tetrahedra of negative volume: two nodes of each exchanged");
-  add(repairs.welded_nodes,
-      fmt::format("duplicate nodes welded (closer than {:.3g} m)", repairs.weld_tolerance));
-  add(repairs.unreferenced_nodes, "nodes in no tetrahedron left out");
+  add(repairs.reordered_tetrahedra, "tetrahedron of negative volume: two of its nodes exchanged",
+      "tetrahedra of negative volume: two nodes of each exchanged");
+  const std::string welded = fmt::format("welded (closer than {:.3g} m)", repairs.weld_tolerance);
+  add(repairs.welded_nodes, "duplicate node " + welded, "duplicate nodes " + welded);
+  add(repairs.unreferenced_nodes, "node in no tetrahedron left out", "nodes in no tetrahedron left out");
   return "Repairs\n" + (text.empty() ? "  none were needed\n" : text);
 }
 
@@ -37,11 +41,12 @@ std::string text_of_groups(const sim::TetMesh& mesh) {
   for (const auto& [name, nodes] : mesh.node_groups)
     text +=
         fmt::format("  {:<{}}  {:>7} {}\n", name, width, nodes.size(), nodes.size() == 1 ? "node" : "nodes");
-  if (mesh.node_groups.empty()) text += "  none\n";
+  if (mesh.node_groups.empty()) text += fmt::format("  none: {}\n", sim::kHowToNameGroups);
   if (mesh.region_names.empty()) return text;
   text += "Regions\n";
   for (const auto& [name, count] : count_regions(mesh))
-    text += fmt::format("  {:<{}}  {:>7} tetrahedra\n", name, width, count);
+    text +=
+        fmt::format("  {:<{}}  {:>7} {}\n", name, width, count, count == 1 ? "tetrahedron" : "tetrahedra");
   return text;
 }
 

@@ -12,9 +12,11 @@
 #include "app/command_line/output.hpp"
 #include "app/command_line/plot.hpp"
 #include "app/command_line/scene_options.hpp"
+#include "app/command_line/stimulus_options.hpp"
 #include "app/command_line/user_cache.hpp"
 #include "app/commands/press/press_output.hpp"
 #include "app/commands/press/press_study.hpp"
+#include "base/files/folder_of.hpp"
 #include "sim/compile/compile.hpp"
 #include "sim/cycle/press.hpp"
 #include "sim/elasticity/static_solve.hpp"
@@ -26,6 +28,7 @@ namespace {
 
 struct PressOptions {
   SceneOptions scene{};
+  StimulusOptions stimulus{};
   std::string depth;
   int steps = 10;
   std::string save;
@@ -72,16 +75,16 @@ void press_scene(const PressOptions& options, std::optional<double> depth) {
 }
 
 void press_protocol(const PressOptions& options, std::optional<double> depth) {
-  if (!options.save.empty())
-    throw std::invalid_argument(
-        "--save belongs to a scene, and this is a protocol: there is no one state to save");
   sim::ComplianceCache cache = user_cache();
   const trials::Protocol protocol = trials::load_protocol(options.scene.file);
-  const std::vector<PressedStimulus> pressed = press_study(protocol, depth, options.steps, cache);
+  std::vector<trials::Stimulus> chosen = chosen_stimuli(protocol, options.stimulus);
+  if (!options.save.empty()) chosen = {only_stimulus(protocol, options.stimulus, "--save")};
+  const std::vector<PressedStimulus> pressed = press_study(protocol, chosen, depth, options.steps, cache);
   if (options.format == "json")
     print_json(study_press_json(protocol, pressed));
   else
     fmt::print("{}", study_press_text(protocol, pressed));
+  if (!options.save.empty()) save_state(pressed.front().model, pressed.front().press, options.save);
   if (options.plot.empty()) return;
   draw_plot(study_press_plot(protocol, pressed), options.plot);
   fmt::print(stderr, "wrote {}\n", options.plot);
@@ -93,14 +96,17 @@ void run_press(const PressOptions& options) {
   if (!options.depth.empty()) depth = parse_depth(options.depth);
   if (depth && !(*depth > 0.0))
     throw std::invalid_argument(fmt::format("--depth {}: accepted: > 0", options.depth));
-  if (input_kind(options.scene) == InputKind::Scene) return press_scene(options, depth);
-  press_protocol(options, depth);
+  if (!options.save.empty()) base::require_folder_of(options.save);
+  if (input_kind(options.scene) == InputKind::Protocol) return press_protocol(options, depth);
+  refuse_choice(options.stimulus, options.scene.file);
+  press_scene(options, depth);
 }
 
 void add_press(CLI::App& command) {
   auto options = std::make_shared<PressOptions>();
   add_scene(command, options->scene);
   command.get_option("scene")->description("Scene, or protocol: each of its conditions in each cell (TOML)");
+  add_stimulus(command, options->stimulus);
   command.add_option("--depth", options->depth,
                      "How deep, with its unit (default: the probe's depth in the scene)");
   command.add_option("--steps", options->steps, "Equal steps from the surface to the depth")

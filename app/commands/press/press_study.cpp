@@ -16,11 +16,13 @@ double felt(const PressedStimulus& stimulus, std::size_t step) {
 
 }  // namespace
 
-std::vector<PressedStimulus> press_study(const trials::Protocol& protocol, std::optional<double> depth,
-                                         int steps, sim::ComplianceCache& cache) {
+std::vector<PressedStimulus> press_study(const trials::Protocol& protocol,
+                                         const std::vector<trials::Stimulus>& stimuli,
+                                         std::optional<double> depth, int steps,
+                                         sim::ComplianceCache& cache) {
   std::vector<PressedStimulus> pressed;
-  pressed.reserve(protocol.stimuli.size());
-  for (const trials::Stimulus& stimulus : protocol.stimuli) {
+  pressed.reserve(stimuli.size());
+  for (const trials::Stimulus& stimulus : stimuli) {
     sim::Model model = trials::compile_stimulus(protocol, stimulus, cache);
     sim::Press press = sim::press(model, depth.value_or(model.probes.front().depth), steps);
     sim::require_solved(press);

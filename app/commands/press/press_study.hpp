@@ -20,10 +20,11 @@ struct PressedStimulus {
   sim::Press press;
 };
 
-/// Presses every condition of the protocol in every cell, those too that no trial presents: what Fig. 8 of
-/// Kuroda et al. 2003 shows of its study. @param depth [m]; without it, the first probe's in the scene
-std::vector<PressedStimulus> press_study(const trials::Protocol& protocol, std::optional<double> depth,
-                                         int steps, sim::ComplianceCache& cache);
+/// Presses stimuli of the protocol, those too that no trial presents: of all, what Fig. 8 of Kuroda et al.
+/// 2003 shows of its study. @param depth [m]; without it, the first probe's in the scene
+std::vector<PressedStimulus> press_study(const trials::Protocol& protocol,
+                                         const std::vector<trials::Stimulus>& stimuli,
+                                         std::optional<double> depth, int steps, sim::ComplianceCache& cache);
 
 nlohmann::ordered_json study_press_json(const trials::Protocol& protocol,
                                         const std::vector<PressedStimulus>& pressed);

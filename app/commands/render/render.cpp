@@ -7,19 +7,24 @@
 #include <memory>
 #include <stdexcept>
 
+#include "app/command_line/input_kind.hpp"
 #include "app/command_line/scene_options.hpp"
+#include "app/command_line/stimulus_options.hpp"
 #include "app/command_line/user_cache.hpp"
 #include "base/files/atomic_file.hpp"
+#include "base/files/folder_of.hpp"
 #include "sim/compile/compile.hpp"
 #include "sim/cycle/press.hpp"
 #include "sim/view/picture_of.hpp"
 #include "sim/view/renderer.hpp"
+#include "trials/protocol/stimuli.hpp"
 
 namespace palpate::app {
 namespace {
 
 struct RenderOptions {
   SceneOptions scene{};
+  StimulusOptions stimulus{};
   std::filesystem::path out;
   std::string depth = "0 mm";
   int width = 960;
@@ -35,13 +40,23 @@ sim::Loads pressed(const sim::Model& model, sim::ProbeDisplacements probes) {
   return simulation.loads();
 }
 
+sim::Model model_of(const RenderOptions& options) {
+  sim::ComplianceCache cache = user_cache();
+  if (input_kind(options.scene) == InputKind::Protocol) {
+    const trials::Protocol protocol = trials::load_protocol(options.scene.file);
+    return trials::compile_stimulus(protocol, only_stimulus(protocol, options.stimulus, "a picture"), cache);
+  }
+  refuse_choice(options.stimulus, options.scene.file);
+  return sim::compile(load_scene(options.scene), cache);
+}
+
 void run_render(const RenderOptions& options) {
   if (options.out.extension() != ".png")
     throw std::invalid_argument(
         fmt::format("--out {}: accepted: a file name that ends in .png", options.out.string()));
   const double depth = parse_depth(options.depth);
-  sim::ComplianceCache cache = user_cache();
-  const sim::Model model = sim::compile(load_scene(options.scene), cache);
+  base::require_folder_of(options.out);
+  const sim::Model model = model_of(options);
   const std::vector<sim::ProbeDisplacement> probes = sim::displaced_by(model, depth);
   const sim::Stage stage = sim::set_stage(model, static_cast<double>(options.width) / options.height);
   const sim::Picture picture = sim::picture_of(model, stage, pressed(model, probes), probes);
@@ -54,6 +69,8 @@ void run_render(const RenderOptions& options) {
 void add_render(CLI::App& command) {
   auto options = std::make_shared<RenderOptions>();
   add_scene(command, options->scene);
+  command.get_option("scene")->description("Scene, or protocol with --condition and --cell (TOML)");
+  add_stimulus(command, options->stimulus);
   command.add_option("--out", options->out, "Picture to write, a PNG file")->required();
   command.add_option("--depth", options->depth, "How deep every probe presses, with its unit")
       ->capture_default_str();
@@ -64,7 +81,8 @@ void add_render(CLI::App& command) {
       ->check(CLI::Range(16, 8192))
       ->capture_default_str();
   command.footer(
-      "Example:\n  palpate render data/scenes/rectal-palpation.toml --depth \"5 mm\" --out pressed.png");
+      "Example:\n  palpate render data/scenes/rectal-palpation.toml --depth \"5 mm\" --out pressed.png\n"
+      "  palpate render protocols/kuroda2003.toml --condition hard --cell kuroda --out hard.png");
   command.callback([options] { run_render(*options); });
 }
 

@@ -20,6 +20,7 @@
 #include "base/clock/utc.hpp"
 #include "base/files/atomic_file.hpp"
 #include "base/files/file_error.hpp"
+#include "base/files/folder_of.hpp"
 #include "trials/study/verify.hpp"
 
 namespace palpate::app {
@@ -32,6 +33,7 @@ struct ReportArguments {
 
 // A look stays in the study for good, so whatever would keep its page from being written must fail before.
 void check_folder_of(const std::filesystem::path& page) {
+  base::require_folder_of(page);
   const std::filesystem::path folder = page.has_parent_path() ? page.parent_path() : ".";
   if (::access(folder.c_str(), W_OK | X_OK) != 0)
     base::throw_cannot(errno, "create a file in its folder", page);
@@ -50,6 +52,7 @@ void check_page(const ReportArguments& options) {
   if (page.extension() != ".html" && page.extension() != ".htm")
     throw std::invalid_argument(
         fmt::format("--out {}: accepted: a file name that ends in .html", options.out));
+  base::require_folder_of(page);
   std::error_code none;
   if (std::filesystem::equivalent(page, options.study, none))
     throw std::invalid_argument(

@@ -8,6 +8,7 @@
 
 #include "app/command_line/output.hpp"
 #include "app/study/simulation.hpp"
+#include "base/text/counted.hpp"
 
 namespace palpate::app {
 namespace {
@@ -34,8 +35,9 @@ void run_simulate(const SimulateOptions& options) {
     print_json(json);
     return;
   }
-  fmt::print("{}: {} simulated examinees added, {} resumed, {} had finished before; {} answers given\n",
-             options.study, report.added, report.resumed, report.finished_before, report.answers);
+  fmt::print("{}: {} added, {} resumed, {} had finished before; {} given\n", options.study,
+             base::counted(report.added, "simulated examinee", "simulated examinees"), report.resumed,
+             report.finished_before, base::counted(report.answers, "answer", "answers"));
   fmt::print("receipt {}\n", trials::to_string(result.receipt));
 }
 

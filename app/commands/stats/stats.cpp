@@ -21,6 +21,7 @@
 #include "app/commands/stats/stats_batch.hpp"
 #include "app/study/power_simulation.hpp"
 #include "base/files/read_file.hpp"
+#include "base/text/json_words.hpp"
 
 namespace palpate::app {
 namespace {
@@ -35,7 +36,18 @@ struct Asked {
   std::map<std::string, bool> switches;
   std::string file;
   std::string format;
+  bool header = false, no_header = false;
 };
+
+analysis::DataTable table_of(const Asked& asked) {
+  if (asked.file.empty()) return {};
+  const FirstLine first = asked.header      ? FirstLine::Names
+                          : asked.no_header ? FirstLine::Data
+                                            : FirstLine::Unsaid;
+  analysis::DataTable table = read_csv(asked.file, first);
+  tell_notes(table);
+  return table;
+}
 
 void add_input(CLI::App& command, Asked& asked, const Input& input) {
   const std::string option = "--" + input.name;
@@ -58,8 +70,8 @@ void run_stats(const Statistic& statistic, const CLI::App& command, const Asked&
     if (command.count("--" + name) > 0) values[name] = text;
   }
   for (const auto& [name, on] : asked.switches) values[name] = on;
-  const analysis::Outcome outcome = statistic.run(analysis::read_arguments(
-      statistic, values, asked.file.empty() ? analysis::DataTable{} : read_csv(asked.file)));
+  const analysis::Outcome outcome =
+      statistic.run(analysis::read_arguments(statistic, values, table_of(asked)));
   if (asked.format == "json") {
     print_json(outcome.json);
   } else {
@@ -74,6 +86,9 @@ void add_statistic(CLI::App& stats, const Statistic& statistic) {
   if (statistic.data.shape != Data::Shape::None) {
     CLI::Option* file = command->add_option("FILE", asked->file, "CSV file: " + statistic.data.meaning);
     if (!statistic.data.optional) file->required();
+    CLI::Option* header = command->add_flag("--header", asked->header,
+                                            "The file's first line names the columns, also as numbers");
+    command->add_flag("--no-header", asked->no_header, "The file's first line is data")->excludes(header);
   }
   for (const Input& input : statistic.inputs) add_input(*command, *asked, input);
   add_format(*command, asked->format);
@@ -101,6 +116,9 @@ void add_batch(CLI::App& stats) {
   command->footer(
       "Each line is an object: the statistic's name, its inputs by name, and its data as arrays or a CSV "
       "file.\n"
+      "Any value but data may stand in an array of one, as R writes it; \"header\": true or false says what "
+      "the\n"
+      "first line of the file is.\n"
       "A line that cannot be answered gives a line with \"error\"; the others are answered all the same, and "
       "the\n"
       "exit code is 1. \"id\" is handed through.\n\n"
@@ -130,7 +148,7 @@ bool is_power(const nlohmann::ordered_json& part) {
 // Reads all that is needed of a part before any are joined: what is wrong is said with the file's name.
 nlohmann::ordered_json checked_part(const std::string& file) {
   nlohmann::ordered_json part = read_part(file);
-  const auto refuse = [&file](const char* what) {
+  const auto refuse = [&file](const std::string& what) {
     throw std::invalid_argument(
         fmt::format("{}: {}; accepted: what --shard K/N --format json printed", file, what));
   };
@@ -141,7 +159,7 @@ nlohmann::ordered_json checked_part(const std::string& file) {
       analysis::check_bootstrap_part(part);
     }
   } catch (const nlohmann::json::exception& error) {
-    refuse(error.what());
+    refuse(base::json_words(error.what()));
   } catch (const std::invalid_argument& error) {
     refuse(error.what());
   }

@@ -9,8 +9,12 @@
 #include <iostream>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <stdexcept>
+#include <string>
+#include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "analysis/description/statistic.hpp"
 #include "analysis/statistics/statistics.hpp"
@@ -18,27 +22,38 @@
 #include "app/command_line/bounded_json.hpp"
 #include "app/command_line/output.hpp"
 #include "app/commands/stats/read_csv.hpp"
+#include "base/text/json_words.hpp"
 
 namespace palpate::app {
 namespace {
 
 using nlohmann::ordered_json;
 
-std::string cell_text(const ordered_json& cell) {
-  return cell.is_string() ? cell.get<std::string>() : cell.dump();
+std::string short_text(const ordered_json& value) {
+  return json_text(value, -1).substr(0, 60);
+}
+
+std::string cell_text(const std::string& column, const ordered_json& cell) {
+  if (cell.is_string()) return cell.get<std::string>();
+  if (cell.is_structured())
+    throw std::invalid_argument(fmt::format("data.{} holds {} {}; accepted: numbers and texts", column,
+                                            cell.is_array() ? "the array" : "the object", short_text(cell)));
+  return cell.dump();
 }
 
 // {"level": [1, 2], "correct": [3, 4]} as a table.
 analysis::DataTable table_of(const ordered_json& data) {
   if (!data.is_object() || data.empty()) {
-    throw std::invalid_argument(fmt::format("data is {}; accepted: an object with an array for each column",
-                                            data.dump().substr(0, 60)));
+    throw std::invalid_argument(
+        fmt::format("data is {}; accepted: an object with an array for each column", short_text(data)));
   }
   analysis::DataTable table{.source = "data"};
   for (const auto& item : data.items()) {
-    if (!item.value().is_array()) throw std::invalid_argument(fmt::format("data.{} is no array", item.key()));
+    if (!item.value().is_array())
+      throw std::invalid_argument(fmt::format("data.{} is {}; accepted: an array of the column's values",
+                                              item.key(), short_text(item.value())));
     std::vector<std::string> column;
-    for (const ordered_json& cell : item.value()) column.push_back(cell_text(cell));
+    for (const ordered_json& cell : item.value()) column.push_back(cell_text(item.key(), cell));
     if (!table.columns.empty() && column.size() != table.columns[0].size()) {
       throw std::invalid_argument(fmt::format("data.{} has {} values, data.{} has {}", item.key(),
                                               column.size(), table.names[0], table.columns[0].size()));
@@ -51,29 +66,52 @@ analysis::DataTable table_of(const ordered_json& data) {
   return table;
 }
 
+// A text that a line gives under a key, which may stand in an array of one, as R writes it.
+std::string text_at(const ordered_json& asked, const char* key, std::string_view example) {
+  const ordered_json* value = &asked[key];
+  if (value->is_array() && value->size() == 1) value = &value->front();
+  if (value->is_string()) return value->get<std::string>();
+  throw std::invalid_argument(fmt::format("\"{}\" is {}; accepted: a text, as in \"{}\": \"{}\"", key,
+                                          short_text(asked[key]), key, example));
+}
+
 // The name that a line gives under "procedure", as it has been from the first version, or under "statistic".
 const analysis::Statistic& statistic_of(const ordered_json& asked) {
   if (asked.contains("procedure") && asked.contains("statistic"))
     throw std::invalid_argument("both \"procedure\" and \"statistic\"; one of them is accepted");
   const char* key = asked.contains("statistic") ? "statistic" : "procedure";
-  if (asked.contains(key) && asked[key].is_string())
-    return analysis::statistic_named(asked[key].get<std::string>());
+  if (asked.contains(key)) return analysis::statistic_named(text_at(asked, key, "binomial"));
   throw std::invalid_argument(
       "\"procedure\" is missing; it names what to do, as in \"procedure\": \"binomial\"");
 }
 
+// What "header" says of the line's file.
+FirstLine first_line_of(const ordered_json& asked) {
+  if (!asked.contains("header")) return FirstLine::Unsaid;
+  const ordered_json* value = &asked["header"];
+  if (value->is_array() && value->size() == 1) value = &value->front();
+  if (value->is_boolean()) return value->get<bool>() ? FirstLine::Names : FirstLine::Data;
+  throw std::invalid_argument(fmt::format("\"header\" is {}; accepted: true or false", short_text(*value)));
+}
+
 ordered_json answer(ordered_json asked) {
-  if (!asked.is_object()) throw std::invalid_argument("the line is no JSON object");
+  if (!asked.is_object())
+    throw std::invalid_argument(fmt::format(
+        "the line is {}; accepted: an object such as {{\"procedure\": \"critical\", \"trials\": 60}}",
+        short_text(asked)));
   const analysis::Statistic& statistic = statistic_of(asked);
   analysis::DataTable table;
   if (asked.contains("data") && asked.contains("file")) {
     throw std::invalid_argument("both \"data\" and \"file\"; one of them is accepted");
   }
   if (asked.contains("data")) table = table_of(asked["data"]);
-  if (asked.contains("file")) table = read_csv(asked["file"].get<std::string>());
+  if (asked.contains("file")) {
+    table = read_csv(text_at(asked, "file", "answers.csv"), first_line_of(asked));
+    tell_notes(table);
+  }
   ordered_json result;
   if (asked.contains("id")) result["id"] = asked["id"];
-  for (const char* key : {"procedure", "statistic", "data", "file", "id"}) asked.erase(key);
+  for (const char* key : {"procedure", "statistic", "data", "file", "header", "id"}) asked.erase(key);
   result.update(statistic.run(analysis::read_arguments(statistic, asked, std::move(table))).json);
   return result;
 }
@@ -94,7 +132,7 @@ ordered_json answer_or_refusal(long line, const std::string& text) {
     asked = parse_bounded_json(text);
     return answer(asked);
   } catch (const nlohmann::json::exception& error) {
-    return refusal(line, asked, fmt::format("no JSON as expected: {}", error.what()));
+    return refusal(line, asked, fmt::format("not as expected: {}", base::json_words(error.what())));
   } catch (const std::invalid_argument& error) {
     return refusal(line, asked, error.what());
   } catch (const std::bad_alloc&) {

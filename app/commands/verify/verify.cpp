@@ -9,6 +9,7 @@
 
 #include "app/command_line/output.hpp"
 #include "app/study/merged_parts_json.hpp"
+#include "base/text/counted.hpp"
 #include "trials/study/verify.hpp"
 
 namespace palpate::app {
@@ -19,12 +20,14 @@ struct VerifyOptions {
 };
 
 void print_text(const VerifyOptions& options, const trials::VerifyReport& report) {
-  fmt::print("{}: {} sittings, {} answers ({} voided), {} presentations\n", options.study, report.sessions,
-             report.answers, report.voided, report.presentations);
+  fmt::print("{}: {}, {} ({} voided), {}\n", options.study,
+             base::counted(report.sessions, "sitting", "sittings"),
+             base::counted(report.answers, "answer", "answers"), report.voided,
+             base::counted(report.presentations, "presentation", "presentations"));
   for (const trials::MergedPart& part : report.parts)
-    fmt::print("  joined from {}{}: {} sittings, receipt {}\n", part.file,
-               part.site.empty() ? "" : fmt::format(" (site {})", part.site), part.sessions,
-               trials::to_string(part.receipt));
+    fmt::print("  joined from {}{}: {}, receipt {}\n", part.file,
+               part.site.empty() ? "" : fmt::format(" (site {})", part.site),
+               base::counted(part.sessions, "sitting", "sittings"), trials::to_string(part.receipt));
   for (const std::string& problem : report.problems) fmt::print("  {}\n", problem);
   for (const std::string& note : report.notes) fmt::print("  note: {}\n", note);
   for (const trials::ClockStep& step : report.clock_steps)
@@ -67,9 +70,9 @@ void run_verify(const VerifyOptions& options) {
   else
     print_text(options, report);
   if (!report.problems.empty())
-    throw std::invalid_argument(fmt::format(
-        "{}: the study file is not whole: {}", options.study,
-        report.problems.size() == 1 ? "1 problem" : fmt::format("{} problems", report.problems.size())));
+    throw std::invalid_argument(
+        fmt::format("{}: the study file is not whole: {}", options.study,
+                    base::counted(std::ssize(report.problems), "problem", "problems")));
 }
 
 void add_verify(CLI::App& command) {

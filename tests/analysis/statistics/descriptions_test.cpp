@@ -86,5 +86,5 @@ TEST(MatrixStatistics, NameTheirColumns) {
   EXPECT_NEAR(run_statistic("cochran", {{"data", data}}).json["q"],
               run_statistic("friedman", {{"data", data}}).json["chi_squared"], 1e-12);
   EXPECT_THAT(refusal_of("cochran", {{"data", {{"a", {0, 2}}, {"b", {1, 0}}}}}),
-              HasSubstr("column 1, row 2 is 2; accepted: 0 (wrong) and 1 (correct)"));
+              HasSubstr("data:2: a is '2'; accepted: 0 or 1"));
 }

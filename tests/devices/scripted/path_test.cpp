@@ -60,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"", ": no samples; a path has the columns time_s and"}, Refusal{kNames, ": no samples"},
         Refusal{"t,finger.x_m,finger.y_m,finger.z_m\n0,0,0,0\n", ":1: the first column is \"t\"; a path has"},
         Refusal{"time_s,finger.x_m,finger.y_m\n0,0,0\n", ":1: 3 columns; a path has"},
-        Refusal{"time_s\n0\n", ":1: 1 columns; a path has"},
+        Refusal{"time_s\n0\n", ":1: 1 column; a path has"},
         Refusal{"time_s,finger.x_m,finger.y_m,finger.z_mm\n0,0,0,0\n",
                 ":1: column 4 is \"finger.z_mm\"; a path has"},
         Refusal{"time_s,finger.x_m,finger.y_m,thumb.z_m\n0,0,0,0\n", ":1: column 4 is \"thumb.z_m\""},

@@ -53,6 +53,24 @@ TEST(Refusals, OtherMshVersions) {
   EXPECT_THAT(refusal(replaced(cube(), "2.2 0 8", "2.2 7 8")), StartsWith("body.msh:2: found file type 7;"));
 }
 
+TEST(Refusals, NodesInASectionThatIsNotRead) {
+  std::string text = cube();
+  text = replaced(text, "$Nodes", "$ParametricNodes");
+  EXPECT_THAT(refusal(replaced(text, "$EndNodes", "$EndParametricNodes")),
+              StartsWith("body.msh:4: found $ParametricNodes, which is not read; $Nodes is accepted"));
+  text = replaced(cube(), "$Nodes", "$Vertices");
+  EXPECT_THAT(refusal(replaced(text, "$EndNodes", "$EndVertices")),
+              HasSubstr("and no node in a section $Nodes; not read: $Vertices"));
+}
+
+TEST(Refusals, WhatStandsBeforeTheFormatIsPassedOver) {
+  const MeshFile read = parse_mesh("$Comments\nmade by hand\n$EndComments\n" + cube(), "body.msh", 1.0);
+  EXPECT_EQ(read.mesh.nodes.size(), 8U);
+  EXPECT_THAT(refusal("$Nodes\n0\n$EndNodes\n" + cube()),
+              StartsWith("body.msh:1: found '$Nodes' where $MeshFormat is expected"));
+  EXPECT_THAT(refusal("$NOD\n0\n$ENDNOD\n"), HasSubstr("found '$NOD' at the start"));  // MSH 1
+}
+
 TEST(Refusals, CommaDecimal) {
   EXPECT_EQ(refusal(replaced(cube(), "2 1 0 0", "2 1,0 0 0")),
             "body.msh:7: found '1,0' as a node's x; a finite number with a decimal point is accepted");

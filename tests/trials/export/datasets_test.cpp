@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/trials/export/exported_study.hpp"
+#include "tests/trials/support/raw_sql.hpp"
 
 namespace palpate::trials {
 namespace {
@@ -135,8 +136,12 @@ TEST_F(Datasets, AnEmptyStudyIsRefusedAndLeavesNothing) {
 
 TEST_F(Datasets, ACodeWithoutLetterOrDigitIsRefused) {
   StudyFile odd = open_study(folder_ / "odd.db", protocol_, "0.1.0");
-  Session session = start_session(odd, protocol_, test::facts_of("--"));
+  Session session = start_session(odd, protocol_, test::facts_of("P01"));
   test::answer_all(session);
+  // Codes of hyphens were accepted by the first version.
+  ASSERT_EQ(test::sql(folder_ / "odd.db",
+                      "DROP TRIGGER session_refuses_UPDATE; UPDATE session SET examinee = '--'"),
+            "");
   EXPECT_THAT(test::message_of<std::invalid_argument>([&] { export_bids(odd, facts_, folder_ / "out"); }),
               HasSubstr("\"--\" has neither letter nor digit"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));

@@ -53,6 +53,25 @@ TEST(Protocol, TheStudyOf2003IsReadAsItIsWritten) {
   EXPECT_EQ(protocol.files[1].sha256, base::sha256_hex(test::read(root / "data/meshes/rectum.msh")));
 }
 
+TEST(Protocol, KeysOfLaterVersionsAreToldAsSuch) {
+  for (const char* key : {"levels = [1, 2]", "practice = 3", "language = \"de\"", "participants = {}"})
+    EXPECT_THAT(refusal_of(std::string(key) + "\n" + test::shipped_text()),
+                AllOf(StartsWith("p.toml:1: "), HasSubstr("is not in this version")));
+  EXPECT_THAT(refusal_of(test::shipped_text() + "\n[participants]\nleast_age = 18\n"),
+              HasSubstr("participants: is not in this version"));
+  EXPECT_THAT(refusal_with("trials_per_examinee_per_cell = 4", "levels = [\"1 MPa\"]\ntrials_per_level = 4"),
+              HasSubstr("procedure.level"));
+  EXPECT_THAT(refusal_with("kind = \"constant\"", "kind = \"questplus\""),
+              HasSubstr("found \"questplus\", which is not in this version"));
+  EXPECT_THAT(refusal_with("kind = \"constant\"", "kind = \"constant\"\nstart = 3"),
+              HasSubstr("procedure.start: is not in this version"));
+}
+
+TEST(Protocol, ASceneThatIsNotThereIsToldWithTheLineThatNamesIt) {
+  EXPECT_THAT(refusal_with("rectal-palpation.toml", "nowhere.toml"),
+              AllOf(StartsWith("p.toml:"), HasSubstr(": scene: "), HasSubstr("nowhere.toml: no such file")));
+}
+
 TEST(Protocol, StimuliAreScenesWithCellAndConditionInPlace) {
   const Protocol protocol =
       load_protocol(std::filesystem::path(palpate::test::source_folder()) / "protocols/kuroda2003.toml");

@@ -11,8 +11,8 @@ namespace {
 TEST(ExamineeCode, IsLettersDigitsAndHyphens) {
   for (const char* code : {"P01", "a", "control-7", "12345678901234567890123456789012"})
     EXPECT_NO_THROW(check_examinee_code(code)) << code;
-  for (const char* code :
-       {"", "Ms Jones", "P_1", "M\xC3\xBCller", "../x", "123456789012345678901234567890123"})
+  for (const char* code : {"", "-P01", "--no-browser", "Ms Jones", "P_1", "M\xC3\xBCller", "../x",
+                           "123456789012345678901234567890123"})
     EXPECT_THROW(check_examinee_code(code), std::invalid_argument) << code;
 }
 

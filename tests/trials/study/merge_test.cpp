@@ -164,7 +164,7 @@ TEST_F(MergeTest, AnotherListOfPartsIsFound) {
 
 TEST_F(MergeTest, RefusesWhatDoesNotBelongTogether) {
   const MergeSource osaka{folder_ / "osaka.db"}, kyoto{folder_ / "kyoto.db"};
-  EXPECT_THAT(refusal({osaka}), HasSubstr("1 study files to join; accepted: two or more"));
+  EXPECT_THAT(refusal({osaka}), HasSubstr("1 study file to join; accepted: two or more"));
   std::filesystem::copy(osaka.file, folder_ / "copy.db");
   EXPECT_THAT(refusal({osaka, {folder_ / "copy.db", "Copy"}}), HasSubstr("are the same study"));
   make("clash.db", {"p1"});

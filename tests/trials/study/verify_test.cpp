@@ -259,7 +259,7 @@ TEST_F(CutOffTest, MissingTrialsAndDrawsAreFound) {
   tamper("DELETE FROM trial WHERE number = 4");
   tamper("DELETE FROM trial WHERE number = 2 AND draw = 2");
   EXPECT_THAT(problems(), Contains(HasSubstr("trial 4: is missing")));
-  EXPECT_THAT(problems(), Contains(HasSubstr("1 trials of cell")));
+  EXPECT_THAT(problems(), Contains(HasSubstr("1 trial of cell")));
   EXPECT_THAT(problems(), Contains(HasSubstr("the chain tells of orders drawn again that are missing")));
 }
 
@@ -273,27 +273,6 @@ TEST_F(CutOffTest, ASittingWithoutAnswersIsInTheChain) {
   const Receipt before = read_study(path_).receipt();
   StudyFile study = open_study(path_, protocol_, "0.1.0");
   EXPECT_NE(start_session(study, protocol_, test::facts_of("P02")).receipt(), before);
-}
-
-// Bits that fall over anywhere in the file: found, or refused; never a crash and never a whole file.
-TEST_F(VerifyTest, DamagedPagesAreFoundOrRefused) {
-  const std::string whole = test::read(path_);
-  for (std::size_t at = 4096; at < whole.size(); at += 4096) {
-    std::string damaged = whole;
-    for (std::size_t i = 0; i < 64; ++i) damaged[at + i] = static_cast<char>(~damaged[at + i]);
-    test::write(path_, damaged);
-    try {
-      EXPECT_THAT(problems(), Not(IsEmpty())) << "page " << at / 4096;
-    } catch (const std::invalid_argument&) {
-    } catch (const std::runtime_error&) {
-    }
-  }
-}
-
-TEST_F(VerifyTest, NoStudyFileIsRefused) {
-  EXPECT_THROW(verify_study(folder_ / "none.db"), std::invalid_argument);
-  test::write(folder_ / "text.db", std::string(1000, 'x'));
-  EXPECT_THROW(verify_study(folder_ / "text.db"), std::invalid_argument);
 }
 
 }  // namespace

@@ -37,7 +37,8 @@ TEST(GlmmStatistic, SaysWhatTheAnswersMayBe) {
   EXPECT_THAT(refusal_of("glmm", {{"data", data}}), HasSubstr("both single answers and counts"));
   data.erase("correct"), data.erase("trials");
   data["response"] = {0, 1, 2, 0};
-  EXPECT_THAT(refusal_of("glmm", {{"data", data}}), HasSubstr("data:3: 2 of 1"));
+  EXPECT_THAT(refusal_of("glmm", {{"data", data}}),
+              HasSubstr("data:3: response is '2'; accepted: 0 or 1 (also written as false or true)"));
   data.erase("response");
   EXPECT_THAT(refusal_of("glmm", {{"data", data}}), HasSubstr("neither single answers nor counts"));
   EXPECT_THAT(refusal_of("glmm", {{"data", kCounts}, {"nodes", 51}}), HasSubstr("nodes is 51; accepted: 1"));

@@ -66,6 +66,70 @@ TEST_F(ReadCsv, TakesALineOfNumbersForData) {
   EXPECT_THAT(table.columns[1], ElementsAre("2", "4"));
 }
 
+TEST_F(ReadCsv, TellsThatTheFirstLineWasTakenForData) {
+  const std::string text = "1,5,10\n2.1,2.6,3.0\n1.8,2.0,2.4\n";
+  const DataTable guessed = read(text);
+  ASSERT_EQ(guessed.notes.size(), 1U);
+  EXPECT_THAT(guessed.notes[0],
+              HasSubstr("line 1 was taken as data (no header), since '1' (column 1) is a number; --header"));
+  const DataTable names = read_csv(file_, FirstLine::Names);
+  EXPECT_THAT(names.names, ElementsAre("1", "5", "10"));
+  EXPECT_THAT(names.columns[0], ElementsAre("2.1", "1.8"));
+  EXPECT_THAT(names.notes, IsEmpty());
+  const DataTable data = read_csv(file_, FirstLine::Data);
+  EXPECT_THAT(data.columns[0], ElementsAre("1", "2.1", "1.8"));
+  EXPECT_THAT(data.notes, IsEmpty());
+  EXPECT_THAT(read("examinee,level\nP1,1\n").notes, IsEmpty());
+}
+
+TEST_F(ReadCsv, SaysWhyTheFirstLineNamesNothing) {
+  const auto of_matrix = [this](const std::string& text) -> std::string {
+    try {
+      palpate::analysis::number_columns(read(text));
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "nothing thrown";
+  };
+  EXPECT_THAT(of_matrix("examinee,1,5\nP1,2.1,2.6\n"),
+              HasSubstr(".csv:1: column 1 is 'examinee'; accepted: a finite number"));
+  EXPECT_THAT(
+      of_matrix("examinee,1,5\nP1,2.1,2.6\n"),
+      HasSubstr("line 1 was not taken as a header: '1' (column 2) is a number (--header takes it as one)"));
+  EXPECT_THAT(refusal("a,n/a\n1,2\n"), HasSubstr("'n/a' (column 2) stands for a number"));
+}
+
+TEST_F(ReadCsv, OnlyWholeWordsStandForNumbers) {
+  EXPECT_THAT(read("difference,informed_consent\n1,yes\n").names,
+              ElementsAre("difference", "informed_consent"));
+  EXPECT_THAT(read("information,nano,-information\n1,yes,2\n").notes, IsEmpty());
+  for (const char* word : {"inf", "-Infinity", "+INF", "NaN", "na", "infinity"})
+    EXPECT_THAT(read(std::string("difference,") + word + "\n1,2\n").names, IsEmpty()) << word;
+}
+
+TEST_F(ReadCsv, AColumnWithoutANameIsNamedByItsPlace) {
+  const DataTable indexed = read("\"\",difference\n0,3\n1,1\n2,-2\n");  // as pandas and R write them
+  EXPECT_THAT(indexed.names, ElementsAre("difference"));
+  EXPECT_THAT(number_column(indexed, "difference"), ElementsAre(3, 1, -2));
+  ASSERT_EQ(indexed.notes.size(), 1U);
+  EXPECT_THAT(indexed.notes[0], HasSubstr("the first column has no name and holds running numbers"));
+  EXPECT_THAT(refusal(",difference\n3,3\n1,1\n"),
+              HasSubstr(".csv:1: column 1 has an empty name; accepted: a name"));
+  EXPECT_THAT(refusal("difference,trials,\n1,2,\n"),
+              HasSubstr(".csv:1: column 3 has an empty name and no values (a comma at the end of a line"));
+}
+
+TEST_F(ReadCsv, NamesWhatSpreadsheetsOfOtherLanguagesWrite) {
+  EXPECT_THAT(
+      refusal("level;difference\n0,5;26\n"),
+      HasSubstr(".csv:2: 2 fields; the first line has 1; the columns seem to be separated by ';', and "
+                "numbers may have a decimal comma"));
+  EXPECT_THAT(refusal("\"level\";\"difference\"\n0,5;26\n"), HasSubstr("separated by commas, not by ';'"));
+  EXPECT_THAT(refusal("sep=;\nlevel;difference\n"), HasSubstr(".csv:1: 'sep=;' is a spreadsheet's note"));
+  EXPECT_THAT(refusal("# made by a script\nlevel,difference\n1,2\n"),
+              HasSubstr(".csv:2: 2 fields; the first line has 1; line 1 looks like a comment"));
+}
+
 TEST_F(ReadCsv, NamesTheLineOfWhatItRefuses) {
   EXPECT_THAT(refusal("difference\n1\ntwo\n"), HasSubstr(".csv:3: difference is 'two'; accepted: a finite"));
   EXPECT_THAT(refusal("1,5\n2,5\n"),
