@@ -122,7 +122,7 @@ TEST_F(SessionTest, EndsWithEveryTrialAnswered) {
   EXPECT_TRUE(session.pending().empty());
   EXPECT_EQ(session.view().phase, Phase::Finished);
   EXPECT_EQ(session.view().number, 0);
-  EXPECT_EQ(session.view().questions, 8);
+  EXPECT_EQ(session.view().questions, 4);
   EXPECT_TRUE(study_->sessions().at(0).ended_utc.has_value());
   EXPECT_TRUE(verify_study(path_, session.receipt()).problems.empty());
 }
