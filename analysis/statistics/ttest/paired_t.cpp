@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "analysis/numerics/rounding.hpp"
-
 #include "base/text/counted.hpp"
 
 namespace palpate::analysis {

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "app/study/force_curves.hpp"
+
 using namespace palpate;
 
 namespace {
