@@ -34,8 +34,8 @@ GlmmFit fit(const Observations& data, const GlmmOptions& options) {
   Eigen::Matrix2d unit;  // from the standardised level to the level's own unit
   unit << 1, -data.centre / data.scale, 0, 1 / data.scale;
   GlmmFit result{.options = options};
-  result.standardised = {.fixed = at.template head<2>(),
-                         .covariance = climb.fixed_covariance(),
+  result.standardised = {.covariance = climb.fixed_covariance(),
+                         .fixed = at.template head<2>(),
                          .centre = data.centre,
                          .scale = data.scale};
   result.fixed = unit * at.template head<2>();

@@ -39,8 +39,8 @@ struct RandomSpread {
 /// The fixed effects over the standardised level (level - centre)/scale: where the level's origin lies far
 /// from the levels, those over the level itself are differences of large numbers.
 struct StandardisedEffects {
-  Eigen::Vector2d fixed{0, 0};
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d fixed{0, 0};
   double centre = 0.0, scale = 1.0;
 };
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "analysis/numerics/infinity.hpp"
 #include "analysis/psychometric/search.hpp"
 
 namespace palpate::analysis {
@@ -74,7 +75,7 @@ class Sharing {
   Sharing(const Conditions& conditions, const PsychometricModel& model, Same same)
       : conditions_(conditions), model_(model), same_(same) {
     lowest_ = highest_ = conditions.front().design.centre;
-    double gap = INFINITY;
+    double gap = kInfinity;
     for (const Prepared& one : conditions) {
       lowest_ = std::min(lowest_, one.design.place.front());
       highest_ = std::max(highest_, one.design.place.back());
@@ -133,7 +134,7 @@ class Sharing {
 
 // The middle and half the range of all levels: where they stand and what their unit is decides nothing.
 Placement common_scale(const Conditions& conditions) {
-  double low = INFINITY, high = -INFINITY;
+  double low = kInfinity, high = -kInfinity;
   for (const Prepared& one : conditions) {
     low = std::min(low, one.design.place.front());
     high = std::max(high, one.design.place.back());

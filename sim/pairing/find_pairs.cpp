@@ -7,6 +7,8 @@
 namespace palpate::sim {
 namespace {
 
+constexpr double kTouching = 1e-9;  // of a body's size: compile() takes bodies so near for touching
+
 Vec3 area_vector(const Triangle& corners, const Eigen::Matrix3Xd& positions) {
   const Vec3 a = positions.col(corners[0]);
   return (Vec3(positions.col(corners[1])) - a).cross(Vec3(positions.col(corners[2])) - a);
@@ -50,16 +52,29 @@ struct Side {
   const PlacedBody& placed;
 };
 
-void find_colliding_nodes(const Side& nodes, const Side& polygons, int touch_pair, Pairs& pairs) {
+/// How far bodies that touch at rest may seem apart by rounding [m]: whether a node has passed a polygon must not
+/// hang on the last bit of a distance.
+double rounding_of(const AabbTree& tree) {
+  return kTouching * (tree.nodes.front().upper - tree.nodes.front().lower).norm();
+}
+
+/// Which polygons a node may have passed.
+enum class Passed { ThoseItCameTowards, Any };
+
+void find_colliding_nodes(const Side& nodes, const Side& polygons, int touch_pair, Passed passed,
+                          Pairs& pairs) {
   const TouchSurface& surface = polygons.shape.polygons;
   const AabbTree& tree = polygons.placed.moved ? polygons.placed.tree : polygons.shape.tree;
   if (tree.nodes.empty()) return;
   if (!nodes.motion.moved && !polygons.motion.moved) return;
+  const double rounding = rounding_of(polygons.shape.tree);
   for (const int node : nodes.shape.colliding_nodes) {
     const Vec3 position = nodes.placed.positions.col(node);
-    const double moved = nodes.motion.displacement.segment<3>(3 * node).norm();
-    const NearestPolygon found =
-        find_nearest(tree, surface.triangles, polygons.placed.positions, position, moved);
+    const double moved = nodes.motion.displacement.segment<3>(3 * node).norm() + rounding;
+    const Vec3 rest = nodes.shape.rest.col(node);
+    const CameFrom from{rest, polygons.shape.rest};
+    const NearestPolygon found = find_nearest(tree, surface.triangles, polygons.placed.positions, position,
+                                              moved, passed == Passed::ThoseItCameTowards ? &from : nullptr);
     if (found.polygon < 0) continue;
     const Vec3 outward = outward_at(surface, polygons.placed.positions, found);
     if (!((position - found.nearest.point).dot(outward) < 0.0)) continue;
@@ -68,6 +83,17 @@ void find_colliding_nodes(const Side& nodes, const Side& polygons, int touch_pai
     const double depth = (Vec3(polygons.placed.positions.col(corners[0])) - position).dot(normal);
     if (!(depth > 0.0)) continue;
     pairs.push_back({touch_pair, nodes.body, node, polygons.body, found.polygon, depth, normal});
+  }
+}
+
+void find_pairs(const Model& model, const FreeMotion& motion, const Placement& placement, Passed passed,
+                Pairs& pairs) {
+  pairs.clear();
+  const auto side = [&](int body) { return Side{body, model.bodies[body], motion[body], placement[body]}; };
+  for (int p = 0; p < std::ssize(model.pairs); ++p) {
+    const auto [a, b] = model.pairs[p].bodies;
+    find_colliding_nodes(side(a), side(b), p, passed, pairs);
+    find_colliding_nodes(side(b), side(a), p, passed, pairs);
   }
 }
 
@@ -104,13 +130,7 @@ std::size_t most_pairs(const Model& model) {
 }
 
 void find_pairs(const Model& model, const FreeMotion& motion, const Placement& placement, Pairs& pairs) {
-  pairs.clear();
-  const auto side = [&](int body) { return Side{body, model.bodies[body], motion[body], placement[body]}; };
-  for (int p = 0; p < std::ssize(model.pairs); ++p) {
-    const auto [a, b] = model.pairs[p].bodies;
-    find_colliding_nodes(side(a), side(b), p, pairs);
-    find_colliding_nodes(side(b), side(a), p, pairs);
-  }
+  find_pairs(model, motion, placement, Passed::ThoseItCameTowards, pairs);
 }
 
 Vec3 polygon_normal(const Body& body, const PlacedBody& placed, int polygon) {
@@ -120,7 +140,7 @@ Vec3 polygon_normal(const Body& body, const PlacedBody& placed, int polygon) {
 std::vector<double> deepest_overlaps(const Model& model, const FreeMotion& motion,
                                      const Placement& placement) {
   Pairs pairs;
-  find_pairs(model, motion, placement, pairs);
+  find_pairs(model, motion, placement, Passed::Any, pairs);
   std::vector<double> deepest(model.pairs.size(), 0.0);
   for (const CollidingPair& pair : pairs) {
     double& depth = deepest[pair.touch_pair];

@@ -1,5 +1,6 @@
 #include "sim/surface/aabb_tree.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -107,8 +108,25 @@ NearestPoint nearest_on_triangle(const Vec3& place, const Vec3& a, const Vec3& b
   return {.point = a + ab * (vb * scale) + ac * (vc * scale)};
 }
 
+namespace {
+
+/// Whether a place has moved against the outward normal of a polygon, beside what the polygon moved.
+bool comes_towards(const Triangle& corners, const Eigen::Matrix3Xd& positions, const Vec3& place,
+                   const CameFrom& from) {
+  const auto [a, b, c] = corners;
+  const Vec3 polygon = (positions.col(a) - from.positions.col(a) + positions.col(b) - from.positions.col(b) +
+                        positions.col(c) - from.positions.col(c)) /
+                       3.0;
+  const Vec3 corner = positions.col(a);
+  const Vec3 outward = (Vec3(positions.col(b)) - corner).cross(Vec3(positions.col(c)) - corner);
+  return (place - from.place - polygon).dot(outward) < 0.0;
+}
+
+}  // namespace
+
 NearestPolygon find_nearest(const AabbTree& tree, std::span<const Triangle> triangles,
-                            const Eigen::Matrix3Xd& positions, const Vec3& place, double moved) {
+                            const Eigen::Matrix3Xd& positions, const Vec3& place, double moved,
+                            const CameFrom* from) {
   NearestPolygon best{.squared_distance = std::numeric_limits<double>::infinity()};
   if (tree.nodes.empty()) return best;
   std::array<int, kDeepest> stack{};
@@ -133,7 +151,8 @@ NearestPolygon find_nearest(const AabbTree& tree, std::span<const Triangle> tria
       const double squared = (nearest.point - place).squaredNorm();
       const bool nearer =
           squared < best.squared_distance || (squared == best.squared_distance && polygon < best.polygon);
-      if (squared <= reach * reach && nearer) best = {polygon, squared, nearest};
+      if (squared <= reach * reach && nearer && (!from || comes_towards(corners, positions, place, *from)))
+        best = {polygon, squared, nearest};
     }
   }
   return best;

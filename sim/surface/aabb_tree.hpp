@@ -35,14 +35,23 @@ struct NearestPoint {
 };
 NearestPoint nearest_on_triangle(const Vec3& place, const Vec3& a, const Vec3& b, const Vec3& c);
 
+/// Where a place, and the polygons that it may have passed, were at rest.
+struct CameFrom {
+  const Vec3& place;
+  const Eigen::Matrix3Xd& positions;
+};
+
 /// The polygon nearest to `place` among those that it can have reached: nearer than `moved` plus what the
-/// polygon itself moved. Ties go to the lower polygon number. polygon = -1 where there is none.
+/// polygon itself moved. With `from`, only those that it has come towards: nothing enters a body through a
+/// surface that goes before it, however near its other side has come. Ties go to the lower polygon number.
+/// polygon = -1 where there is none.
 struct NearestPolygon {
   int polygon = -1;
   double squared_distance = 0.0;  // [m^2]
   NearestPoint nearest{};
 };
 NearestPolygon find_nearest(const AabbTree& tree, std::span<const Triangle> triangles,
-                            const Eigen::Matrix3Xd& positions, const Vec3& place, double moved);
+                            const Eigen::Matrix3Xd& positions, const Vec3& place, double moved,
+                            const CameFrom* from = nullptr);
 
 }  // namespace palpate::sim

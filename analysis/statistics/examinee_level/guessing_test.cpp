@@ -112,8 +112,8 @@ std::optional<PValues> exact_guessing_p(std::span<const ExamineeCount> counts, d
   }
   const double d = static_cast<double>(steps->denominator);
   const auto of = [&](std::uint64_t sums) {
-    return statistic(static_cast<double>(sums / steps->base) / d,
-                     static_cast<double>(sums % steps->base) / (d * d));
+    const std::uint64_t sum = sums / steps->base, squares = sums % steps->base;
+    return statistic(static_cast<double>(sum) / d, static_cast<double>(squares) / (d * d));
   };
   Sides sides{.seen = of(seen)};
   for (const auto& [sums, probability] : states) sides.add(of(sums), probability);

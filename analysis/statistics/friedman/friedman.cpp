@@ -22,6 +22,7 @@ struct RankedRow {
 RankedRow rank(const std::vector<std::vector<double>>& columns, std::size_t row) {
   RankedRow ranked;
   std::vector<double> values;
+  values.reserve(columns.size());
   for (const std::vector<double>& column : columns) values.push_back(column[row]);
   values = settled_values(values);
   for (const double mine : values) {

@@ -63,6 +63,7 @@ StimulusCheck check_cell(const trials::Protocol& protocol, const trials::Stimuli
     const double depth = deepest * (step + 1) / kSteps;
     if (depth < protocol.exploration.min_depth * (1.0 - 1e-9) && step + 1 < kSteps) continue;
     std::vector<double> forces;
+    forces.reserve(curves.size());
     for (const std::vector<double>& curve : curves) forces.push_back(curve[step]);
     const auto [least, most] = std::ranges::minmax(forces);
     const double difference = least > 0.0 ? most / least - 1.0 : std::numeric_limits<double>::infinity();
