@@ -20,6 +20,12 @@ HeapUse end_heap_count() {
   return use;
 }
 
+}  // namespace palpate::test
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+
+namespace palpate::test {
+
 static void count(std::size_t bytes) {
   if (!counting) return;
   ++use.allocations;
@@ -27,8 +33,6 @@ static void count(std::size_t bytes) {
 }
 
 }  // namespace palpate::test
-
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 
 // Every way to the heap in a program ends in one of these. glibc's manual allows a program to replace them; its
 // own stay reachable by the names with __libc.
