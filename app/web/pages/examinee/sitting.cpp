@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/web/pages/examinee/advice.hpp"
 #include "base/clock/utc.hpp"
 
 namespace palpate::app {
@@ -25,26 +26,6 @@ IntervalLimits limits_of(const trials::Exploration& rule) {
           .most_presses = rule.most_presses,
           .min_depth = rule.min_depth,
           .max_time = rule.max_time};
-}
-
-std::string times(int count) {
-  return count == 1 ? "once" : fmt::format("{} times", count);
-}
-
-std::string advice(trials::Verdict verdict, const trials::Exploration& rule) {
-  switch (verdict) {
-    case trials::Verdict::TooFewPresses:
-      return fmt::format("This interval needs a press that goes in and out, at least {}.",
-                         times(rule.least_presses));
-    case trials::Verdict::TooManyPresses:
-      return fmt::format("In this interval you may press at most {}.", times(rule.most_presses));
-    case trials::Verdict::TooShallow:
-      return "Please press a little deeper.";
-    case trials::Verdict::Enough:
-    case trials::Verdict::Interrupted:
-      return {};
-  }
-  return {};
 }
 
 }  // namespace
