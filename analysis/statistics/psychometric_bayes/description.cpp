@@ -65,8 +65,8 @@ Outcome psychometric_bayes_outcome(const Arguments& asked) {
     none.json["method"] = to_json(method);
     return none;
   }
+  const BayesianFit fit = bayesian_psychometric(blocks, shape, guess, asked.level());  // refuses a guess
   const bool rising = rises(blocks, shape, guess);
-  const BayesianFit fit = bayesian_psychometric(blocks, shape, guess, asked.level());
   Outcome outcome{.json = {{"procedure", "psychometric-bayes"},
                            {"status", rising ? "fitted" : "no rise"},
                            {"why", rising ? ordered_json(nullptr) : ordered_json(kNoRise)},
