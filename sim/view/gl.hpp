@@ -12,7 +12,8 @@
 namespace palpate::sim {
 
 // Within this namespace OpenGL's names are these pointers, so that a call reads as it always does.
-#define PALPATE_GL(name) extern decltype(&::name) name;  // NOLINT
+// NOLINTNEXTLINE(bugprone-macro-parentheses): a name that is declared takes none
+#define PALPATE_GL(name) extern decltype(&::name) name;
 PALPATE_GL_FUNCTIONS
 #undef PALPATE_GL
 

@@ -7,7 +7,8 @@
 
 namespace palpate::sim {
 
-#define PALPATE_GL(name) decltype(&::name) name = nullptr;  // NOLINT
+// NOLINTNEXTLINE(bugprone-macro-parentheses): a name that is declared takes none
+#define PALPATE_GL(name) decltype(&::name) name = nullptr;
 PALPATE_GL_FUNCTIONS
 #undef PALPATE_GL
 
@@ -33,7 +34,7 @@ void find(void* library, const char* name, Function& function) {
 
 bool load_all() {
   void* library = open_library();
-#define PALPATE_GL(name) find(library, #name, name);  // NOLINT
+#define PALPATE_GL(name) find(library, #name, name);
   PALPATE_GL_FUNCTIONS
 #undef PALPATE_GL
   return true;

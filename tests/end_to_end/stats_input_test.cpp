@@ -1,14 +1,11 @@
 // What tables and batch lines `palpate stats` takes, and how it names what it cannot take.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "tests/end_to_end/program.hpp"
+#include "tests/end_to_end/with_files.hpp"
 
 namespace palpate::test {
 namespace {
@@ -18,27 +15,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-class StatsInput : public testing::Test {
- protected:
-  StatsInput() { std::filesystem::create_directories(folder_); }
-  ~StatsInput() override { std::filesystem::remove_all(folder_); }
-
-  std::string file(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name) << text;
-    return folder_ / name;
-  }
-
-  static std::vector<json> lines_of(const std::string& text) {
-    std::istringstream in(text);
-    std::vector<json> lines;
-    for (std::string line; std::getline(in, line);) lines.push_back(json::parse(line));
-    return lines;
-  }
-
- private:
-  std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() / ("palpate-stats-input-" + std::to_string(::getpid()));
-};
+class StatsInput : public WithFiles {};
 
 }  // namespace
 

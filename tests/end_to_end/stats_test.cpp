@@ -1,16 +1,15 @@
 // `palpate stats` as a person and as a script use it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "tests/end_to_end/program.hpp"
+#include "tests/end_to_end/with_files.hpp"
 #include "tests/support/places.hpp"
 
 namespace palpate::test {
@@ -21,31 +20,11 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-class Stats : public testing::Test {
- protected:
-  Stats() { std::filesystem::create_directories(folder_); }
-  ~Stats() override { std::filesystem::remove_all(folder_); }
-
-  std::string file(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name) << text;
-    return folder_ / name;
-  }
-
- private:
-  std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() / ("palpate-stats-" + std::to_string(::getpid()));
-};
+class Stats : public WithFiles {};
 
 std::string text_of(const std::string& path) {
   std::ifstream in(path);
   return {std::istreambuf_iterator<char>(in), {}};
-}
-
-std::vector<json> lines_of(const std::string& text) {
-  std::istringstream in(text);
-  std::vector<json> lines;
-  for (std::string line; std::getline(in, line);) lines.push_back(json::parse(line));
-  return lines;
 }
 
 }  // namespace
