@@ -14,7 +14,7 @@ namespace palpate::trials {
 /// One question as drawn.
 struct Trial {
   int number = 0;                                 // from 1, within the sitting
-  int block = 0;                                  // from 1: what progress is shown by
+  int block = 0;                                  // from 1: part of the sitting, a column of exports
   std::size_t cell = 0;                           // into Protocol::cells
   std::vector<std::size_t> interval_condition{};  // into Protocol::conditions, one for each interval
   int correct_answer = 0;                         // from 1: a choice of the task
@@ -37,7 +37,7 @@ Trial draw_trial(const Protocol& protocol, ChosenLevel level, int number, Genera
 std::string order_purpose(std::string_view examinee, int sitting);
 std::string order_purpose(std::string_view examinee, int sitting, int trial);
 
-/// How many blocks progress is shown by: at most 4, of equal length to within one trial.
+/// How many blocks a sitting is told in: at most 4, of equal length to within one trial.
 int block_count(int trials_per_session);
 
 }  // namespace palpate::trials

@@ -90,12 +90,12 @@ void add_report(CLI::App& command) {
       ->check(CLI::IsMember({"study", "pilot", "simulated"}));
   command.add_flag(
       "--interim", options->interim,
-      "Show tests though the planned sample is not complete; the look is logged in the study file");
+      "Show results though the planned sample is not complete; the look is logged in the study file");
   command.add_option("--out", options->out, "Also write the report as one self-contained HTML page");
   add_format(command, options->format);
   command.footer(
       "The protocol names the primary test; all others are labelled as secondary. Before the planned\n"
-      "sample is complete the report counts answers and shows no test.\n\n"
+      "sample is complete the report counts answers and shows no result.\n\n"
       "Example:\n"
       "  palpate report study.db --out report.html\n");
   command.callback([options] { run_report(*options); });
