@@ -21,12 +21,17 @@ struct Condition {
   int line = 0;  // in the protocol file
 };
 
-/// A scene key that is varied between trials; every combination of the factors' levels is a cell.
+/// A named set of scene overrides, one of a factor's: `near`, `far`.
+struct FactorLevel {
+  std::string name{};
+  std::vector<sim::Override> overrides{};
+};
+
+/// What is varied between trials; every combination of the factors' levels is a cell.
 struct Factor {
-  std::string key;                  // "contact.model"
-  std::vector<std::string> levels;  // as a reader sees them: "kuroda"
-  std::vector<std::string> values;  // the same as TOML, as an override takes them: "\"kuroda\""
-  int line = 0;                     // in the protocol file
+  std::string name{};  // "gap"; where nothing else is varied, the scene key: "contact.model"
+  std::vector<FactorLevel> levels{};
+  int line = 0;  // in the protocol file
 };
 
 /// One combination of factor levels.
@@ -81,6 +86,13 @@ enum class Side { Greater, Less, TwoSided };
 inline constexpr base::EnumWords<Side, 3> kSideWords{
     {{Side::Greater, "greater"}, {Side::Less, "less"}, {Side::TwoSided, "two-sided"}}};
 
+/// How the p values of the cells' primary tests are adjusted for there being several.
+enum class Adjust { None, Holm, Hochberg, BenjaminiHochberg };
+inline constexpr base::EnumWords<Adjust, 4> kAdjustWords{{{Adjust::None, "none"},
+                                                          {Adjust::Holm, "holm"},
+                                                          {Adjust::Hochberg, "hochberg"},
+                                                          {Adjust::BenjaminiHochberg, "benjamini-hochberg"}}};
+
 /// What an examinee must do in an interval before it counts.
 struct Exploration {
   int least_presses = 1;
@@ -94,6 +106,7 @@ struct AnalysisPlan {
   PrimaryAnalysis primary = PrimaryAnalysis::PairedComparison;
   double alpha = 0.05;  // in (0, 1)
   Side side = Side::Greater;
+  Adjust adjust = Adjust::None;
   std::optional<std::string> between_models;  // "sign-flip", "wilcoxon"
   std::vector<int> looks{};  // complete examinees at each planned look; empty: at the end only
   std::string spending{};    // of alpha over the looks: "obrien-fleming", "pocock"
@@ -173,5 +186,6 @@ std::string_view to_string(CellOrder order);
 std::string_view to_string(IntervalOrder order);
 std::string_view to_string(PrimaryAnalysis analysis);
 std::string_view to_string(Side side);
+std::string_view to_string(Adjust adjust);
 
 }  // namespace palpate::trials
