@@ -15,8 +15,7 @@ struct Loads {
 /// What the bodies have come to in a cycle: first by the probes alone, then with what a contact law adds.
 struct Response {
   Loads loads{};
-  std::vector<Eigen::VectorXd> displacement{};  // of the touchable nodes of each body, 3t [m]
-  std::vector<Vec3> probe_forces{};             // of each probe on its body [N]
+  std::vector<Vec3> probe_forces{};  // of each probe on its body [N]
 };
 
 /// Displacements of the drawn nodes of a body under loads [m], 3d entries, for frames. Outside the cycle.

@@ -34,7 +34,7 @@ struct RenderOptions {
 /// Loads of the cycle that holds every probe where it is.
 sim::Loads pressed(const sim::Model& model, sim::ProbeDisplacements probes) {
   sim::Simulation simulation(model);
-  if (simulation.step(probes, sim::kCyclePeriod).solve.stop != sim::Stop::Converged)
+  if (!sim::solved(simulation.step(probes, sim::kCyclePeriod).solve.stop))
     throw std::runtime_error(
         "the bodies' displacements could not be solved at this depth: no picture written");
   return simulation.loads();
