@@ -24,9 +24,9 @@ target_link_libraries(palpate_osmesa INTERFACE ${CMAKE_DL_LIBS})
 # SuiteSparse in Debian 12 ships neither a CMake nor a pkg-config file.
 find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
 find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
-add_library(palpate_cholmod INTERFACE)
+add_library(palpate_cholmod INTERFACE)  # headers alone: the library is loaded when a body is condensed
 target_include_directories(palpate_cholmod SYSTEM INTERFACE ${CHOLMOD_INCLUDE_DIR})
-target_link_libraries(palpate_cholmod INTERFACE ${CHOLMOD_LIBRARY})
+target_link_libraries(palpate_cholmod INTERFACE ${CMAKE_DL_LIBS})
 
 # libcsv ships neither.
 find_path(CSV_INCLUDE_DIR csv.h REQUIRED)
