@@ -15,7 +15,9 @@
 #include "app/command_line/stimulus_options.hpp"
 #include "app/command_line/user_cache.hpp"
 #include "app/commands/press/press_output.hpp"
+#include "app/commands/press/press_plot.hpp"
 #include "app/commands/press/press_study.hpp"
+#include "app/study/simulation.hpp"
 #include "base/files/folder_of.hpp"
 #include "sim/compile/compile.hpp"
 #include "sim/cycle/press.hpp"
@@ -33,6 +35,7 @@ struct PressOptions {
   int steps = 10;
   std::string save;
   std::string plot;
+  std::filesystem::path observer;
   std::string format;
 };
 
@@ -66,17 +69,15 @@ void press_scene(const PressOptions& options, std::optional<double> depth) {
     fmt::print("{}", press_text(model, press));
   if (!options.save.empty()) save_state(model, press, options.save);
   if (options.plot.empty()) return;
-  draw_plot({.title = fmt::format("{}, contact model {}", model.scene, model.law->name),
-             .x_label = "depth [mm]",
-             .y_label = "force [N]",
-             .series = {press_curve("force", model, press)}},
-            options.plot);
+  draw_plot(press_plot(model, press), options.plot);
   fmt::print(stderr, "wrote {}\n", options.plot);
 }
 
 void press_protocol(const PressOptions& options, std::optional<double> depth) {
   sim::ComplianceCache cache = user_cache();
   const trials::Protocol protocol = trials::load_protocol(options.scene.file);
+  const trials::ObserverParameters people =
+      trials::load_observer(options.observer.empty() ? default_observer() : options.observer);
   std::vector<trials::Stimulus> chosen = chosen_stimuli(protocol, options.stimulus);
   if (!options.save.empty()) chosen = {only_stimulus(protocol, options.stimulus, "--save")};
   const std::vector<PressedStimulus> pressed = press_study(protocol, chosen, depth, options.steps, cache);
@@ -86,7 +87,7 @@ void press_protocol(const PressOptions& options, std::optional<double> depth) {
     fmt::print("{}", study_press_text(protocol, pressed));
   if (!options.save.empty()) save_state(pressed.front().model, pressed.front().press, options.save);
   if (options.plot.empty()) return;
-  draw_plot(study_press_plot(protocol, pressed), options.plot);
+  draw_plot(study_press_plot(protocol, pressed, people), options.plot);
   fmt::print(stderr, "wrote {}\n", options.plot);
 }
 
@@ -99,6 +100,9 @@ void run_press(const PressOptions& options) {
   if (!options.save.empty()) base::require_folder_of(options.save);
   if (input_kind(options.scene) == InputKind::Protocol) return press_protocol(options, depth);
   refuse_choice(options.stimulus, options.scene.file);
+  if (!options.observer.empty())
+    throw std::invalid_argument(fmt::format("--observer {}: {} is a scene; accepted: with a protocol",
+                                            options.observer.string(), options.scene.file));
   press_scene(options, depth);
 }
 
@@ -115,19 +119,24 @@ void add_press(CLI::App& command) {
   command.add_option("--save", options->save,
                      "Write STATE.<body>.vtu with displacement, force and von Mises stress");
   command.add_option("--plot", options->plot, "Write a plot of the force over the depth, .svg or .png");
+  command.add_option(
+      "--observer", options->observer,
+      "Observer file (TOML) whose device's largest force the plot of a protocol shows (default: "
+      "protocols/observers/default.toml)");
   add_format(command, options->format);
   command.footer(
       "Example:\n  palpate press data/scenes/rectal-palpation.toml --model kuroda --depth \"5 mm\" "
       "--set bodies.prostate.young_modulus=\"5 MPa\"\n"
-      "  palpate press protocols/kuroda2003.toml --steps 100 --plot fig8.svg");
+      "  palpate press protocols/kuroda2003.toml --steps 100 --plot forces.svg");
   command.callback([options] { run_press(*options); });
 }
 
 }  // namespace
 
-const Command press_command{.name = "press",
-                            .summary = "Force over depth of a press into a scene (Fig. 8)",
-                            .heading = "Touch",
-                            .add = add_press};
+const Command press_command{
+    .name = "press",
+    .summary = "Force over depth of a press into a scene, or of each condition of a protocol",
+    .heading = "Touch",
+    .add = add_press};
 
 }  // namespace palpate::app

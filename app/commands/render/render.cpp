@@ -89,7 +89,7 @@ void add_render(CLI::App& command) {
 }  // namespace
 
 const Command render_command{.name = "render",
-                             .summary = "Picture of a scene, drawn off screen (Fig. 7)",
+                             .summary = "Picture of a scene, pressed or at rest, drawn off screen",
                              .heading = "Touch",
                              .add = add_render};
 
