@@ -20,8 +20,8 @@
 #include "app/study/simulation.hpp"
 #include "base/files/folder_of.hpp"
 #include "sim/compile/compile.hpp"
+#include "sim/cycle/depth_warnings.hpp"
 #include "sim/cycle/press.hpp"
-#include "sim/elasticity/static_solve.hpp"
 #include "sim/elasticity/stress.hpp"
 #include "sim/mesh/write_vtu.hpp"
 
@@ -41,21 +41,22 @@ struct PressOptions {
 
 /// STATE.body.vtu for each body, every node moved by the uncondensed problem under the last step's loads.
 void save_state(const sim::Model& model, const sim::Press& press, const std::string& state) {
+  const std::vector<sim::WholeBody> wholes = sim::whole_bodies(model, press.loads);
   for (std::size_t i = 0; i < model.bodies.size(); ++i) {
     const sim::Body& body = model.bodies[i];
-    Eigen::Matrix3Xd force = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(body.mesh->nodes.size()));
-    for (std::size_t t = 0; t < body.compliance->touch.size(); ++t)
-      force.col(body.compliance->touch[t]) =
-          press.loads.on_body[i].segment<3>(3 * static_cast<Eigen::Index>(t));
-    const auto stiffness = sim::stiffness(*body.mesh, body.materials);
-    const Eigen::Matrix3Xd u = sim::static_solve(stiffness, body.fixed, force);
+    const sim::WholeBody& whole = wholes[i];
     sim::VtuFields fields;
-    fields.point_vectors = {{"displacement", u}, {"force", force}};
-    fields.cell_scalars = {{"von_mises", sim::von_mises(*body.mesh, body.materials, u)}};
+    fields.point_vectors = {{"displacement", whole.displacement}, {"force", whole.force}};
+    fields.cell_scalars = {{"von_mises", sim::von_mises(*body.mesh, body.materials, whole.displacement)}};
     const std::string file = fmt::format("{}.{}.vtu", state, body.name);
     sim::write_vtu(file, *body.mesh, fields);
     fmt::print(stderr, "wrote {}\n", file);
   }
+}
+
+void warn_of_depth(const sim::Model& model, const sim::Press& press) {
+  for (const std::string& warning : sim::depth_warnings(model, press.curve.back().depth, press.loads))
+    fmt::print(stderr, "warning: {}\n", warning);
 }
 
 void press_scene(const PressOptions& options, std::optional<double> depth) {
@@ -63,6 +64,7 @@ void press_scene(const PressOptions& options, std::optional<double> depth) {
   const sim::Model model = sim::compile(load_scene(options.scene), cache);
   const sim::Press press = sim::press(model, depth.value_or(model.probes.front().depth), options.steps);
   sim::require_solved(press);
+  warn_of_depth(model, press);
   if (options.format == "json")
     print_json(press_json(model, press));
   else
@@ -81,6 +83,7 @@ void press_protocol(const PressOptions& options, std::optional<double> depth) {
   std::vector<trials::Stimulus> chosen = chosen_stimuli(protocol, options.stimulus);
   if (!options.save.empty()) chosen = {only_stimulus(protocol, options.stimulus, "--save")};
   const std::vector<PressedStimulus> pressed = press_study(protocol, chosen, depth, options.steps, cache);
+  warn_of_depth(pressed.front().model, pressed.front().press);
   if (options.format == "json")
     print_json(study_press_json(protocol, pressed));
   else
