@@ -75,7 +75,6 @@ class ListeningPage {
     if (phase_ == "interval") return begun(now);
     if (phase_ == "pause") paused_ = now;
     if (phase_ == "end") done_ = true;
-    if (phase_ == "again") throw std::runtime_error("an interval was to be shown once more");
     if (phase_ == "pause" || phase_ == "end") return;
     timer_.expires_after(kRest);
     timer_.async_wait([this](boost::system::error_code error) {
@@ -139,13 +138,14 @@ class ListeningPage {
   }
 
   void ended(Clock::time_point now) {
-    if (!over_ || !pressed_ || gaps_.empty()) throw std::runtime_error("an interval ended without a press");
     IntervalTimes& times = intervals_.back();
     std::ranges::sort(gaps_);
-    times.longest_gap = gaps_.back();
-    times.typical_gap = gaps_[gaps_.size() / 2];
-    times.to_over = ms(*over_ - *pressed_);
-    times.to_outcome = ms(now - *over_);
+    if (!gaps_.empty()) {
+      times.longest_gap = gaps_.back();
+      times.typical_gap = gaps_[gaps_.size() / 2];
+    }
+    if (over_ && pressed_) times.to_over = ms(*over_ - *pressed_);
+    if (over_) times.to_outcome = ms(now - *over_);
     paused_.reset();
   }
 

@@ -6,15 +6,17 @@
 
 namespace palpate::app::message_times {
 
-/// What the page at the other end of the socket can time of one interval [ms].
+/// What the page at the other end of the socket can time of one interval [ms]; nothing where a slow machine let it
+/// miss a message.
 struct IntervalTimes {
-  std::optional<double> from_start{};  // from "go on" until the interval is shown; of a trial's first one
-  std::optional<double> from_pause{};  // from the pause until the interval is shown; of later ones
-  double first_probe = 0.0;            // from there until the first message about the pointer
-  double longest_gap = 0.0;            // between two of these
-  double typical_gap = 0.0;            // their median
-  double to_over = 0.0;                // from the first press until a message says that the interval is over
-  double to_outcome = 0.0;             // from there until the page hears what comes next
+  std::optional<double>
+      from_start{};  // from "go on" until the interval is shown; not of a trial's later ones
+  std::optional<double> from_pause{};   // from the pause until the interval is shown; of these
+  std::optional<double> first_probe{};  // from there until the first message about the pointer
+  std::optional<double> longest_gap{};  // between two of these
+  std::optional<double> typical_gap{};  // their median
+  std::optional<double> to_over{};      // from the first press until a message says that the interval is over
+  std::optional<double> to_outcome{};   // from there until the page hears what comes next
 };
 
 /// Opens the page whose link is kept in `link` and sits until every question is answered, with the same movement
