@@ -59,53 +59,71 @@ std::vector<std::string> wrapped(std::string_view text, std::size_t most) {
   return lines;
 }
 
-PlotLayout layout_of(const Plot& plot, const std::vector<std::string>& names) {
-  PlotLayout page;
-  const std::size_t panels = plot.panels.size(), across = panels_across(panels);
-  const std::size_t down = (panels + across - 1) / across;
-  const double wide = panels == 1 ? kWide : kManyWide, high = panels == 1 ? kHigh : kManyHigh;
-  page.across = across;
-  page.width = static_cast<double>(across) * (kTickNumbers + wide + kBetween);
+namespace {
 
-  double at = kEdge;  // from the top
+/// Each lays its part below `at`, pixels from the top, and gives where the next one begins.
+double lay_heading(const Plot& plot, double at, PlotLayout& page) {
   page.title = wrapped(plot.title, fitting(page.width - 2 * kEdge, 1.15 * kCharacter));
   page.title_at = at;
   at += kLine * static_cast<double>(page.title.size()) + 4;
   page.note = wrapped(plot.note, fitting(page.width - 2 * kEdge, kSmallCharacter));
   page.note_at = at;
-  at += kSmallLine * static_cast<double>(page.note.size()) + 10;
+  return at + kSmallLine * static_cast<double>(page.note.size()) + 10;
+}
 
+double lay_panels(const Plot& plot, double wide, double high, double at, PlotLayout& page) {
   std::size_t title_lines = 0;
   for (const PlotPanel& panel : plot.panels) {
     page.panel_titles.push_back(wrapped(panel.title, fitting(wide, kCharacter)));
     title_lines = std::max(title_lines, page.panel_titles.back().size());
   }
   const double titles = kLine * static_cast<double>(title_lines) + 6;
-  for (std::size_t i = 0; i < panels; ++i) {
-    const double left = static_cast<double>(i % across) * (kTickNumbers + wide + kBetween) + kTickNumbers;
-    const double top = at + static_cast<double>(i / across) * (titles + high + kTicks + kAxisName) + titles;
+  const double row = titles + high + kTicks + kAxisName, column = kTickNumbers + wide + kBetween;
+  for (std::size_t i = 0; i < plot.panels.size(); ++i) {
+    if (i > 0 && i % page.across == 0) at += row;
+    const double left = static_cast<double>(i % page.across) * column + kTickNumbers, top = at + titles;
     page.panels.push_back({.left = left, .right = left + wide, .bottom = top + high, .top = top});
   }
-  at += static_cast<double>(down) * (titles + high + kTicks + kAxisName) + 6;
+  return at + row + 6;
+}
 
-  std::size_t longest = 1;
+double lay_key(const std::vector<std::string>& names, double at, PlotLayout& page) {
+  page.key = {.left = kEdge, .right = page.width - kEdge, .bottom = at, .top = at};
+  if (names.size() < 2) return at;
+  std::size_t longest = 0;
   for (const std::string& name : names) longest = std::max(longest, characters(name));
-  page.key_columns = std::clamp<std::size_t>(
-      fitting(page.width - 2 * kEdge, kKeySample + kCharacter * static_cast<double>(longest)), 1,
-      names.size());
-  const std::size_t key_rows = (names.size() + page.key_columns - 1) / page.key_columns;
-  const double key = names.size() > 1 ? kLine * static_cast<double>(key_rows) : 0.0;
-  page.key = {.left = kEdge, .right = page.width - kEdge, .bottom = at + key, .top = at};
-  page.height = at + key + kEdge;
+  const double entry = kKeySample + kCharacter * static_cast<double>(longest);
+  page.key_columns = std::clamp<std::size_t>(fitting(page.width - 2 * kEdge, entry), 1, names.size());
+  const std::size_t rows = (names.size() + page.key_columns - 1) / page.key_columns;
+  page.key.bottom = at + kLine * static_cast<double>(rows);
+  return page.key.bottom;
+}
 
-  page.title_at = 1 - page.title_at / page.height;
-  page.note_at = 1 - page.note_at / page.height;
-  const auto to_shares = [&](PlotBox& box) {
-    box = {box.left / page.width, box.right / page.width, 1 - box.bottom / page.height,
-           1 - box.top / page.height};
+/// From pixels, counted from the top, to shares of the page, counted from below.
+void take_shares(PlotLayout& page) {
+  const auto up = [&](double pixels) { return 1 - pixels / page.height; };
+  const auto share = [&](PlotBox& box) {
+    box = {box.left / page.width, box.right / page.width, up(box.bottom), up(box.top)};
   };
-  std::ranges::for_each(page.panels, to_shares);
-  to_shares(page.key);
+  page.title_at = up(page.title_at);
+  page.note_at = up(page.note_at);
+  std::ranges::for_each(page.panels, share);
+  share(page.key);
+}
+
+}  // namespace
+
+PlotLayout layout_of(const Plot& plot, const std::vector<std::string>& names) {
+  const bool alone = plot.panels.size() == 1;
+  const double wide = alone ? kWide : kManyWide, high = alone ? kHigh : kManyHigh;
+  PlotLayout page;
+  page.across = panels_across(plot.panels.size());
+  page.width = static_cast<double>(page.across) * (kTickNumbers + wide + kBetween);
+  double at = lay_heading(plot, kEdge, page);
+  at = lay_panels(plot, wide, high, at, page);
+  at = lay_key(names, at, page);
+  page.height = at + kEdge;
+  take_shares(page);
   return page;
 }
 

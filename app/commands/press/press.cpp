@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <stdexcept>
 
 #include "app/command_line/input_kind.hpp"
@@ -54,9 +55,10 @@ void save_state(const sim::Model& model, const sim::Press& press, const std::str
   }
 }
 
-void warn_of_depth(const sim::Model& model, const sim::Press& press) {
+/// Once for each sentence, however many conditions it is true of.
+void warn_of_depth(const sim::Model& model, const sim::Press& press, std::set<std::string>& told) {
   for (const std::string& warning : sim::depth_warnings(model, press.curve.back().depth, press.loads))
-    fmt::print(stderr, "warning: {}\n", warning);
+    if (told.insert(warning).second) fmt::print(stderr, "warning: {}\n", warning);
 }
 
 void press_scene(const PressOptions& options, std::optional<double> depth) {
@@ -64,7 +66,8 @@ void press_scene(const PressOptions& options, std::optional<double> depth) {
   const sim::Model model = sim::compile(load_scene(options.scene), cache);
   const sim::Press press = sim::press(model, depth.value_or(model.probes.front().depth), options.steps);
   sim::require_solved(press);
-  warn_of_depth(model, press);
+  std::set<std::string> told;
+  warn_of_depth(model, press, told);
   if (options.format == "json")
     print_json(press_json(model, press));
   else
@@ -83,7 +86,8 @@ void press_protocol(const PressOptions& options, std::optional<double> depth) {
   std::vector<trials::Stimulus> chosen = chosen_stimuli(protocol, options.stimulus);
   if (!options.save.empty()) chosen = {only_stimulus(protocol, options.stimulus, "--save")};
   const std::vector<PressedStimulus> pressed = press_study(protocol, chosen, depth, options.steps, cache);
-  warn_of_depth(pressed.front().model, pressed.front().press);
+  std::set<std::string> told;
+  for (const PressedStimulus& stimulus : pressed) warn_of_depth(stimulus.model, stimulus.press, told);
   if (options.format == "json")
     print_json(study_press_json(protocol, pressed));
   else

@@ -138,8 +138,7 @@ void Sitting::make_engine(const sim::Model& model, const IntervalLimits& limits)
   engine_ = std::make_unique<IntervalEngine>(model, limits, loop_.device());
 }
 
-/// While the examinee rests, and after the page has heard that it may: how long it takes hangs on the contact
-/// model, and nobody is to wait for it.
+/// While the examinee rests: how long it takes hangs on the contact model, and nobody is to wait for it.
 void Sitting::prepare_interval() {
   const trials::Phase phase = session_.phase();
   const bool rests = phase == trials::Phase::Ready || phase == trials::Phase::Pause;
@@ -259,8 +258,8 @@ void Sitting::go_on() {
       return enter(Stage::Gesture);
     case Onward::ToTrial:
       return enter(Stage::Trial);
-    case Onward::IntoInterval:
-      return schedule(Next::Interval, Clock::now());  // at the next poll, as every interval
+    case Onward::IntoInterval:  // at the next poll, as every interval
+      return schedule(Next::Interval, Clock::now());
     case Onward::Nowhere:
       return;
   }
