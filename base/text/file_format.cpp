@@ -59,12 +59,14 @@ std::string shown_text(const TableFormat& table, const ShownTable& shown, bool f
   std::string text;
   if (!shown.path.empty() && !continues)
     text += "\n" + (first ? commented(table.meaning) : "") + fmt::format("[{}]\n", shown.path);
+  bool below_heading = !text.empty();
   for (const Key& key : table.keys) {
     if (is_section(key)) continue;
     if (first)
-      text += (text.ends_with("]\n") ? "" : "\n") + explained(key, shown);
+      text += (below_heading ? "" : "\n") + explained(key, shown);
     else if (!is_commented_out(key))
       text += line_of(key, shown) + "\n";
+    below_heading = false;
   }
   return text;
 }
@@ -122,20 +124,21 @@ std::string words_in_words(const Key& key) {
   return text.empty() ? "" : fmt::format("\n`{}`:\n\n{}", key.name, text);
 }
 
-std::string row(const Key& key) {
+std::string row(const Key& key, const ShownTable& shown) {
   const bool any = key.name == kAnyName;
   return fmt::format("| {} | {} | {} | {} | {}`{}` |\n",
                      any ? "`\"KEY OF THE SCENE\"`" : fmt::format("`{}`", key.name), value_in_words(key),
                      absence(key), key.meaning,
-                     key.along.empty() ? "" : fmt::format("`{}`<br>", key.along), line_of(key, {}));
+                     key.along.empty() ? "" : fmt::format("`{}`<br>", key.along), line_of(key, shown));
 }
 
 std::string section(const TableFormat& table) {
   std::string text = fmt::format("\n## {}\n", heading(table));
   if (!table.meaning.empty()) text += fmt::format("\n{}\n", table.meaning);
   text += "\n| key | value | left out | meaning | example |\n|---|---|---|---|---|\n";
+  const ShownTable shown = table.shown.empty() ? ShownTable{} : table.shown.front();
   for (const Key& key : table.keys)
-    if (!is_section(key)) text += row(key);
+    if (!is_section(key)) text += row(key, shown);
   for (const Key& key : table.keys) text += words_in_words(key);
   return text;
 }

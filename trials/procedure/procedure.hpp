@@ -47,7 +47,7 @@ struct Procedure {
   std::string_view name;  // "constant": procedure.kind in a protocol, and a column
 
   /// Of [procedure], apart from kind.
-  std::span<const base::Key> keys;
+  std::span<const base::Key> keys{};
   /// [procedure], all but kind. What is refused throws std::invalid_argument.
   void (*read)(base::TomlReader& procedure, Protocol& protocol);
   std::string_view meaning;                                 // in codebook and reference: how levels are chosen

@@ -56,7 +56,7 @@ constexpr std::array kProtocolKeys{
     Key{.name = "question",
         .takes = base::kText,
         .example = "\"In which interval did it feel harder?\"",
-        .meaning = "What the examinee is asked after the last interval. Name no condition and no model."},
+        .meaning = "What the examinee is asked after the last interval. It names no condition and no model."},
     Key{.name = "conditions", .takes = base::takes_table("one table [conditions.NAME] a condition")},
     Key{.name = "factors",
         .takes = base::takes_table("a table [factors]"),
@@ -91,7 +91,7 @@ constexpr std::array kFactorsKeys{
 };
 
 constexpr std::array kTaskKeys{
-    Key{.name = "kind", .takes = base::takes_word(task_words), .meaning = "What is asked."},
+    Key{.name = "kind", .takes = base::takes_word(task_words), .meaning = "The kind of question."},
     Key{.name = "answer",
         .takes = base::takes_word(base::words_of<kAnswerWords, kLaterAnswers>),
         .example = "\"stiffest\"",
@@ -103,7 +103,7 @@ constexpr std::array kTaskKeys{
 constexpr std::array kProcedureKeys{
     Key{.name = "kind",
         .takes = base::takes_word(procedure_words),
-        .meaning = "How it is chosen what is felt in the next trial."},
+        .meaning = "How the trials are chosen."},
 };
 
 constexpr std::array kOrderKeys{
@@ -140,8 +140,8 @@ constexpr std::array kSampleKeys{
     Key{.name = "planned_examinees",
         .takes = base::takes_whole(1, kMostExaminees),
         .example = "15",
-        .meaning = "How many people are to take part. Before so many are complete the report shows no test. `plan` "
-                   "says how many are enough."},
+        .meaning = "How many people are to take part. Before so many are complete the report shows no test. `palpate "
+                   "plan` says how many are enough."},
 };
 
 constexpr std::array kAnalysisKeys{
@@ -173,7 +173,7 @@ constexpr std::array kAnalysisKeys{
     Key{.name = "spending",
         .takes = base::takes_word(spending_words),
         .example = "\"obrien-fleming\"",
-        .absent = "required with `looks`, else refused",
+        .absent = "no `looks`",
         .meaning = "How alpha is spent over the looks, so that all of them together keep it.",
         .along = "looks = [5, 10, 15]"},
 };
@@ -284,7 +284,7 @@ base::FileFormat protocol_format(std::span<const Task* const> tasks,
   format.tables.push_back(
       {.path = "conditions.NAME",
        .meaning = "A condition: a named set of changes to the scene. A condition that no question presents may "
-                  "stand here, too, for `press` to compare with.",
+                  "stand here, too, for `palpate press` to compare with.",
        .keys = listed(kConditionKeys),
        .shown = {{.path = "conditions.soft"},
                  {.path = "conditions.hard",
@@ -293,10 +293,10 @@ base::FileFormat protocol_format(std::span<const Task* const> tasks,
             "What else is varied: every combination of the factors' levels is a cell, with trials and a test of "
             "its own. A study without factors leaves this table out.",
             kFactorsKeys, format);
-  add_kind("task", "What the examinee is asked.", kTaskKeys, tasks.front()->name, format);
+  add_kind("task", "What the examinee is asked, and what the correct answer is.", kTaskKeys, tasks.front()->name, format);
   for (const Task* task : tasks)
     add_room("task", "kind", task->name, task->keys, task == tasks.front(), format);
-  add_kind("procedure", "How many trials there are, and how it is chosen what each presents.", kProcedureKeys,
+  add_kind("procedure", "How many trials there are, and what each presents.", kProcedureKeys,
            procedures.front()->name, format);
   for (const Procedure* procedure : procedures)
     add_room("procedure", "kind", procedure->name, procedure->keys, procedure == procedures.front(), format);
@@ -304,8 +304,8 @@ base::FileFormat protocol_format(std::span<const Task* const> tasks,
   for (const Task* task : tasks)
     add_room("order", "task.kind", task->name, task->order_keys, task == tasks.front(), format);
   add_table("exploration", "What an examinee may and must do in an interval.", kExplorationKeys, format);
-  add_table("display", "", kDisplayKeys, format);
-  add_table("sample", "", kSampleKeys, format);
+  add_table("display", "What is on the screen.", kDisplayKeys, format);
+  add_table("sample", "How many people there are to be.", kSampleKeys, format);
   add_table("analysis", "What is made of the answers, decided before the first of them.", kAnalysisKeys,
             format);
   format.later.assign(kLaterKeys.begin(), kLaterKeys.end());
