@@ -4,10 +4,14 @@
 #include <tuple>
 
 #include "analysis/numerics/result.hpp"
+#include "analysis/report/evidence.hpp"
+#include "analysis/report/learning.hpp"
+#include "analysis/report/over_examinees.hpp"
 #include "analysis/report/report.hpp"
 #include "analysis/report/sample.hpp"
 #include "analysis/report/select.hpp"
 #include "analysis/report/sentences.hpp"
+#include "analysis/report/verdict.hpp"
 #include "analysis/report/withhold.hpp"
 
 namespace palpate::analysis {
@@ -101,6 +105,7 @@ void test_cell(CellResult& cell, const Counts& counts, std::size_t index, const 
   std::vector<OrderStratum> sittings;
   for (const auto& [session, sitting] : counts.sittings[index]) sittings.push_back(sitting);
   cell.primary = primary_test(report.design, sittings, level, report.look);
+  cell.over_examinees = interval_over_examinees(cell.by_examinee, level);
   cell.spread = spread_of(cell, report.design.chance, level);
   cell.d_prime = dprime_2ifc(cell.correct, cell.trials, DPrimeCorrection::HalfTrial, level);
   cell.bias = interval_bias(orders, DPrimeCorrection::HalfTrial, level);
@@ -112,16 +117,18 @@ void test_cell(CellResult& cell, const Counts& counts, std::size_t index, const 
     cell.by_people = examinee_level_test(answered, report.design.chance, {.level = level});
 }
 
-CellComparison compare(const CellResult& first, const CellResult& second, const StudyReport& report) {
-  CellComparison comparison{
-      .first = first.name, .second = second.name, .planned = report.design.between_models};
+CellComparison compare(const Contrast& contrast, bool planned, const StudyReport& report) {
+  CellComparison comparison{.contrast = contrast, .planned = planned ? report.design.between_models : "none"};
   std::vector<double> differences;
+  std::vector<ExamineeCount> counts(report.cells.size());
   double sum = 0.0;
   for (std::size_t i = 0; i < report.examinees.size(); ++i) {
-    const ExamineeCount &a = first.by_examinee[i], &b = second.by_examinee[i];
-    if (!report.is_complete[i] || a.trials == 0 || b.trials == 0) continue;
-    differences.push_back(proportion_difference(a, b));
-    sum += differences.back();
+    if (!report.is_complete[i]) continue;
+    for (std::size_t c = 0; c < counts.size(); ++c) counts[c] = report.cells[c].by_examinee[i];
+    const std::optional<double> difference = contrast_of(contrast, counts);
+    if (!difference) continue;
+    differences.push_back(*difference);
+    sum += *difference;
   }
   comparison.examinees = differences.size();
   if (differences.empty()) return comparison;
@@ -132,6 +139,13 @@ CellComparison compare(const CellResult& first, const CellResult& second, const 
     comparison.signed_rank = signed_rank_test(differences, Zeros::Pratt, report.options.level);
   }
   return comparison;
+}
+
+void compare_cells(StudyReport& report) {
+  const std::size_t planned = planned_contrasts(report.design);
+  for (const Contrast& contrast : contrasts(report.design))
+    report.comparisons.push_back(compare(contrast, report.comparisons.size() < planned, report));
+  adjust_comparisons(report);
 }
 
 // Mean of what was recorded; empty when nothing was.
@@ -161,6 +175,8 @@ std::vector<StimulusSummary> summarise_stimuli(const StudyDesign& design, const 
   };
   std::map<std::tuple<std::size_t, std::ptrdiff_t, std::string>, Sums> stimuli;
   for (const TrialRow* trial : selection.trials) {
+    for (const std::string& condition : trial->shown_in_vain)
+      ++stimuli[{trial->cell, place(condition), condition}].summary.shown_again;
     for (const IntervalRow& interval : trial->intervals) {
       Sums& sums = stimuli[{trial->cell, place(interval.condition), interval.condition}];
       ++sums.summary.intervals;
@@ -234,11 +250,17 @@ void compute(const Selection& selection, StudyReport& report) {
     report.cells[i].response_times = response_times(counts.response_times[i]);
     if (!report.withheld) test_cell(report.cells[i], counts, i, report);
   }
-  for (std::size_t i = 0; i < report.cells.size(); ++i) {
-    for (std::size_t j = i + 1; j < report.cells.size(); ++j) {
-      report.comparisons.push_back(compare(report.cells[i], report.cells[j], report));
+  if (!report.withheld) {
+    adjust_cells(report);
+    const auto learnt = learning(selection, counted, report.cells.size(), report.options.level);
+    for (std::size_t i = 0; i < report.cells.size(); ++i) {
+      CellResult& cell = report.cells[i];
+      cell.learning = learnt[i];
+      if (verdict(report, cell) == Verdict::NotShown)
+        cell.evidence = evidence_for_chance(*cell.primary, report.options.level);
     }
   }
+  compare_cells(report);
 }
 
 // The looks at results of this run mode: who looks at what simulated observers answer has seen nothing of the

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "analysis/report/verdict.hpp"
 #include "analysis/words/words.hpp"
 
 namespace palpate::analysis {
@@ -78,12 +79,29 @@ void add_frozen(const StudyReport& report, std::vector<std::string>& words) {
   }
   for (const FrozenPlan& plan : report.frozen_plans)
     words.push_back(
-        fmt::format("The analysis plan was frozen in {} on {} (SHA-256 {}){}.",
-                    part_in_words(report, plan.part), plan.frozen_utc, plan.sha256,
+        fmt::format("The analysis plan was frozen in {} on {} UTC (SHA-256 {}){}.",
+                    part_in_words(report, plan.part), to_the_second(plan.frozen_utc), plan.sha256,
                     begun_before(report, plan) ? ", after the first of these sessions had begun" : ""));
   for (std::size_t part = 0; part < report.parts.size(); ++part)
     if (std::ranges::find(report.frozen_plans, part, &FrozenPlan::part) == report.frozen_plans.end())
       words.push_back(fmt::format("No analysis plan was frozen in {}.", part_in_words(report, part)));
+}
+
+std::string adjusted_in_words(const StudyDesign& design) {
+  if (design.adjust == "none") return "";
+  return fmt::format(", p adjusted over the cells after {}", adjustment_in_words(design.adjust));
+}
+
+std::string comparisons_in_words(const StudyDesign& design) {
+  switch (planned_contrasts(design)) {
+    case 0:
+      return "no comparison between cells";
+    case 1:
+      return fmt::format("between the levels of {}: {}", factors_in_words(design), design.between_models);
+    default:
+      return fmt::format("main effects and interaction of {}: {}", factors_in_words(design),
+                         design.between_models);
+  }
 }
 
 }  // namespace
@@ -98,17 +116,17 @@ std::vector<std::string> plan_in_words(const StudyReport& report) {
   std::vector<std::string> words;
   add_frozen(report, words);
   words.push_back(
-      fmt::format("Planned: {}; primary test {}, alpha {}, side {}; between cells {}{}.",
+      fmt::format("Planned: {}; primary test {}, alpha {}, side {}{}; {}{}.",
                   counted(design.planned_examinees, "examinee", "examinees"), design.primary, design.alpha,
-                  design.side, design.between_models == "none" ? "nothing" : design.between_models,
+                  design.side, adjusted_in_words(design), comparisons_in_words(design),
                   design.looks.empty()
                       ? "; one look, at the end"
                       : fmt::format("; {}, {} spending", counted(std::ssize(design.looks), "look", "looks"),
                                     design.spending)));
   for (const LookEvent& look : report.planned_looks) {
     if (look.utc.empty()) continue;
-    words.push_back(fmt::format("Planned look {} of {} was first taken on {}.", look.planned,
-                                design.looks.size(), look.utc));
+    words.push_back(fmt::format("Planned look {} of {} was first taken on {} UTC.", look.planned,
+                                design.looks.size(), to_the_second(look.utc)));
   }
   return words;
 }

@@ -11,7 +11,4 @@ namespace palpate::analysis {
 /// study file does not know.
 std::vector<std::string> method_section(const StudyReport& report);
 
-/// What a reader must hold against the results, a sentence or two each.
-std::vector<std::string> limits(const StudyReport& report, const std::vector<std::string>& notes);
-
 }  // namespace palpate::analysis

@@ -53,6 +53,8 @@ svg .critical { stroke: #1b1f24; stroke-width: 1.6; }
 svg .critical-text { fill: #1b1f24; }
 svg .link { stroke: #afb8c1; stroke-width: 2; }
 svg .dot { stroke: #fff; stroke-width: 1; }
+details { margin: 10px 0; }
+summary { cursor: pointer; font: 600 14px "Inter", "Helvetica Neue", "Arial", "DejaVu Sans", sans-serif; }
 ul { padding-left: 20px; } li { margin-bottom: 7px; }
 pre { font: 12.5px/1.45 "DejaVu Sans Mono", "Menlo", monospace; background: var(--wash); padding: 14px 16px;
       white-space: pre-wrap; overflow-wrap: anywhere; }

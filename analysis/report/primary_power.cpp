@@ -11,6 +11,7 @@
 
 #include "analysis/binomial/counts_distribution.hpp"
 #include "analysis/report/primary_test.hpp"
+#include "analysis/report/verdict.hpp"
 
 namespace palpate::analysis {
 namespace {
@@ -31,7 +32,7 @@ std::vector<CriticalNumber> regions(const StudyDesign& design) {
   const long each = design.trials_per_examinee_per_cell;
   const Side side = side_from_name(design.side);
   if (design.looks.empty())
-    return {critical_number(each * design.planned_examinees, design.chance, design.alpha, side)};
+    return {critical_number(each * design.planned_examinees, design.chance, strictest_alpha(design), side)};
   std::vector<long> trials;
   for (const int look : design.looks) trials.push_back(each * look);
   std::vector<CriticalNumber> all;
@@ -79,7 +80,8 @@ double simulated_power(const StudyDesign& design, const Power& asked, std::uint6
       const double p = asked.overdispersion > 0 ? people(random) : asked.probability;
       sitting = balanced_sitting(design.trials_per_examinee_per_cell, p, random);
     }
-    const auto test = order_randomisation_test(sittings, design.alpha, side_from_name(design.side));
+    const auto test =
+        order_randomisation_test(sittings, strictest_alpha(design), side_from_name(design.side));
     found += rejects(test.critical, test.correct) ? 1 : 0;
   }
   return static_cast<double>(found) / static_cast<double>(kStudies);

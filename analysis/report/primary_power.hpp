@@ -20,7 +20,8 @@ struct Power {
 /// and the overdispersion gamma = 1/(a + b + 1), 0 for examinees all alike [Brockhoff2003]. Exact for coin
 /// flips. For balanced orders the region of rejection depends on the answers: then 10 000 simulated studies,
 /// seeded. Throws std::invalid_argument unless 0 < probability < 1, 0 <= overdispersion < 1, and the design
-/// fixes the number of trials.
+/// fixes the number of trials. Where the protocol adjusts the cells' p values, it is the power if no other cell
+/// rejects: the least that the adjustment leaves.
 Power primary_power(const StudyDesign& design, double probability, double overdispersion = 0.0,
                     std::uint64_t seed = 1);
 

@@ -6,12 +6,15 @@
 #include <vector>
 
 #include "analysis/detection/dprime.hpp"
+#include "analysis/report/contrasts.hpp"
 #include "analysis/report/primary_test.hpp"
 #include "analysis/report/study_table.hpp"
 #include "analysis/resampling/sign_flip.hpp"
+#include "analysis/statistics/bayes/bayes_factor.hpp"
 #include "analysis/statistics/beta_binomial/beta_binomial.hpp"
 #include "analysis/statistics/examinee_level/examinee_level.hpp"
 #include "analysis/statistics/interval_bias/interval_bias.hpp"
+#include "analysis/statistics/similarity/similarity.hpp"
 #include "analysis/statistics/wilcoxon/signed_rank.hpp"
 
 namespace palpate::analysis {
@@ -38,6 +41,20 @@ struct AllAnswers {
   std::vector<ExamineeCount> by_examinee{};  // in the order of StudyReport::examinees
 };
 
+/// What the answers of a cell say where the planned test does not reject: how large a difference remains
+/// possible, and how much they speak for chance.
+struct EvidenceForChance {
+  std::optional<SimilarityTest> similarity{};  // empty where the test looks below chance only
+  BayesFactor bayes{};
+};
+
+/// Each examinee's first half of answers under one cell beside the last half (a middle one is in neither).
+struct Learning {
+  long correct_first = 0, trials_first = 0, correct_last = 0, trials_last = 0;
+  double mean_difference = 0.0;  // of the examinees' proportions correct, last less first
+  SignFlipTest sign_flip{};
+};
+
 /// What was asked and answered under one cell. What cannot be computed (no answers) or must not be shown yet
 /// (the planned sample is not complete) is empty.
 struct CellResult {
@@ -46,28 +63,35 @@ struct CellResult {
   std::vector<ExamineeCount> by_examinee{};      // in the order of StudyReport::examinees; trials may be 0
   std::optional<AllAnswers> all{};               // where there are answers that are not counted
   std::optional<PrimaryTest> primary{};          // on all counted answers together
+  std::optional<double> p_adjusted{};            // of the primary test, where the protocol adjusts
+  std::optional<EvidenceForChance> evidence{};   // where the primary test does not reject
+  std::optional<Interval> over_examinees{};      // for the proportion correct: examinees drawn anew
   std::optional<ExamineeLevelTest> by_people{};  // of complete examinees
   std::optional<BetaBinomial> spread{};          // of examinees' proportions; empty where answers cannot tell
   std::optional<DPrime> d_prime{};
   std::optional<IntervalBias> bias{};
   std::optional<ResponseTimes> response_times{};  // where they were recorded
+  std::optional<Learning> learning{};             // where an examinee has two answers or more
 };
 
-/// Two cells compared on differences within examinees: proportion correct under `first` less that under
-/// `second`.
+/// Cells compared on differences within examinees: proportion correct under the contrast's `first` less that
+/// under its `second`.
 struct CellComparison {
-  std::string first{}, second{};
+  Contrast contrast{};
   std::size_t examinees = 0;  // complete ones with answers counted under both
   double mean_difference = 0.0;
   std::optional<SignFlipTest> sign_flip{};
   std::optional<SignedRankTest> signed_rank{};
   std::string planned{};  // "sign-flip", "wilcoxon": what the protocol names; "none"
+  std::optional<double>
+      p_adjusted{};  // of the planned test, where there are several and the protocol adjusts
 };
 
 /// How a stimulus was explored and presented, over all intervals of one condition of one cell.
 struct StimulusSummary {
   std::string cell{}, condition{};
   long intervals = 0;
+  long shown_again = 0;  // presentations that led to no answer: not explored enough, or cut off
   double mean_presses = 0.0;
   std::optional<double> mean_exploration_s{}, mean_peak_force_n{}, mean_max_depth_m{};
   std::optional<double> worst_clamped_fraction{}, worst_loop_p999_ms{};

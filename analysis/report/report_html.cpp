@@ -1,66 +1,27 @@
 #include <fmt/core.h>
 
+#include "analysis/report/html_parts.hpp"
 #include "analysis/report/page_style.hpp"
 #include "analysis/report/pictures.hpp"
 #include "analysis/report/summary.hpp"
 #include "analysis/report/svg.hpp"
 #include "analysis/report/tables.hpp"
+#include "analysis/report/verdict.hpp"
 #include "analysis/report/write_report.hpp"
 #include "analysis/words/words.hpp"
 
 namespace palpate::analysis {
 namespace {
 
-// A number and its per cent sign stay on one line.
-std::string html(std::string_view text) {
-  std::string safe = escape(text);
-  for (std::size_t at = safe.find(" %"); at != std::string::npos; at = safe.find(" %", at + 1)) {
-    safe.replace(at, 1, "&#160;");
-  }
-  return safe;
-}
-
-std::string paragraph(const std::string& text, std::string_view style = "") {
-  if (text.empty()) return "";
-  return fmt::format("<p{}>{}</p>\n", style.empty() ? "" : fmt::format(" class=\"{}\"", style), html(text));
-}
-
-std::string html_table(const TextTable& table) {
-  std::string text =
-      fmt::format("<div class=\"scroll\"><table>\n<caption>{}</caption>\n<thead><tr>", escape(table.title));
-  for (const std::string& name : table.header) text += fmt::format("<th scope=\"col\">{}</th>", escape(name));
-  text += "</tr></thead>\n<tbody>\n";
-  for (const std::vector<std::string>& row : table.rows) {
-    text += fmt::format("<tr><th scope=\"row\">{}</th>", escape(row.front()));
-    for (std::size_t c = 1; c < row.size(); ++c) text += fmt::format("<td>{}</td>", html(row[c]));
-    text += "</tr>\n";
-  }
-  return text + "</tbody></table></div>\n" + paragraph(table.note, "note");
-}
-
-std::string figure(const std::string& drawing, const std::string& caption) {
-  if (drawing.empty()) return "";
-  return fmt::format("<figure>\n{}<figcaption>{}</figcaption>\n</figure>\n", drawing, html(caption));
-}
-
-std::string heading(const std::string& id, const std::string& text, const std::string& label = "") {
-  const std::string tag = label.empty() ? ""
-                                        : fmt::format("<span class=\"label{}\">{}</span>",
-                                                      label == "primary" ? " primary" : "", escape(label));
-  return fmt::format("<section aria-labelledby=\"{0}\">\n<h2 id=\"{0}\">{1}{2}</h2>\n", id, escape(text),
-                     tag);
-}
-
-const std::string kEnd = "</section>\n";
-
 std::string header(const StudyReport& report) {
   std::string text = fmt::format("<h1>{}: significance report</h1>\n", escape(report.design.protocol_name));
-  text += paragraph(
-      fmt::format(
-          "Run mode: {}. {} of {} planned examinees complete.{}", report.run_mode, report.complete_examinees,
-          report.planned_examinees,
-          report.options.written_utc.empty() ? "" : fmt::format(" Written {}.", report.options.written_utc)),
-      "meta");
+  text +=
+      paragraph(fmt::format("Run mode: {}. {} of {} planned examinees complete.{}", report.run_mode,
+                            report.complete_examinees, report.planned_examinees,
+                            report.options.written_utc.empty()
+                                ? ""
+                                : fmt::format(" Written {} UTC.", to_the_second(report.options.written_utc))),
+                "meta");
   for (const std::string& banner : report.banners) {
     text += fmt::format("<p class=\"banner\" role=\"note\">{}</p>\n", escape(banner));
   }
@@ -78,7 +39,7 @@ std::string running_head(const StudyReport& report) {
 std::string summary_paragraph(const StudyReport& report, const std::string& sentence) {
   std::vector<std::string> subjects;
   for (const CellComparison& comparison : report.comparisons) {
-    subjects.push_back(fmt::format("{} against {}:", comparison.first, comparison.second));
+    subjects.push_back(name_of(comparison.contrast) + ":");
   }
   for (const CellResult& cell : report.cells) subjects.push_back(cell.name + ":");
   for (const std::string& subject : subjects) {
@@ -91,19 +52,23 @@ std::string summary_paragraph(const StudyReport& report, const std::string& sent
 
 std::string summary_section(const StudyReport& report) {
   std::string text = heading("summary", "Summary") + "<div class=\"summary\">\n";
+  if (!report.withheld) text += html_table(verdict_table(report));
   for (const std::string& sentence : report.summary) text += summary_paragraph(report, sentence);
-  return text + "</div>\n" + kEnd;
+  return text + "</div>\n" + kSectionEnd;
 }
 
 std::string primary_section(const StudyReport& report) {
   const std::string caption = fmt::format(
       "Correct answers of all examinees together (bars) with their {} interval. The grey "
       "hill is the number that guessing would give; where it is dark, and from the black "
-      "line on, guessing is rejected. Dashed: chance.",
-      short_percent(report.options.level));
+      "line on, guessing is rejected{}. Dashed: chance.",
+      short_percent(report.options.level),
+      report.design.adjust == "none" ? ""
+                                     : fmt::format(", before the adjustment ({}) that the verdict counts",
+                                                   adjustment_in_words(report.design.adjust)));
   return heading("primary", "Did anybody tell the conditions apart?", "primary") +
          figure(answers_picture(report), caption) + html_table(primary_table(report)) +
-         paragraph(report.pooled_claim, "claim") + kEnd;
+         optional_table(evidence_table(report)) + paragraph(report.pooled_claim, "claim") + kSectionEnd;
 }
 
 std::string people_section(const StudyReport& report) {
@@ -120,14 +85,14 @@ std::string people_section(const StudyReport& report) {
                                               *report.sample < static_cast<long>(report.examinees.size())
                                           ? " A row without marks: an examinee who is not counted."
                                           : "")) +
-         html_table(people_table(report)) + paragraph(report.people_claim, "claim") + kEnd;
+         html_table(people_table(report)) + paragraph(report.people_claim, "claim") + kSectionEnd;
 }
 
 std::string comparison_section(const StudyReport& report) {
   if (report.comparisons.empty()) return "";
-  return heading("comparison", "Does it matter which cell it is?",
+  return heading("comparison", fmt::format("Does {} matter?", factors_in_words(report.design)),
                  report.design.between_models == "none" ? "secondary" : "planned comparison") +
-         html_table(comparison_table(report)) + paragraph(report.comparison_claim, "claim") + kEnd;
+         html_table(comparison_table(report)) + paragraph(report.comparison_claim, "claim") + kSectionEnd;
 }
 
 std::string stimulus_section(const StudyReport& report) {
@@ -143,7 +108,14 @@ std::string stimulus_section(const StudyReport& report) {
       "The haptic loop: the time within which 99.9 % of the cycles followed the one before, in the worst "
       "interval of each stimulus. Dashed: the period of 1 ms that is aimed at.");
   if (!report.stimuli.empty()) text += html_table(stimulus_table(report));
-  return text + kEnd;
+  return text + kSectionEnd;
+}
+
+std::string learning_section(const StudyReport& report) {
+  const TextTable table = learning_table(report);
+  if (table.rows.empty()) return "";
+  return heading("learning", "Did answers change over the trials?", "secondary") + html_table(table) +
+         kSectionEnd;
 }
 
 std::string response_time_section(const StudyReport& report) {
@@ -153,32 +125,33 @@ std::string response_time_section(const StudyReport& report) {
          figure(times_picture(report),
                 "Thin line: from the fastest to the slowest answer; box: the middle half; black line: the "
                 "median.") +
-         html_table(table) + kEnd;
+         html_table(table) + kSectionEnd;
 }
 
 std::string plan_section(const StudyReport& report) {
   std::string text = heading("plan", "Plan and deviations");
   for (const std::string& words : report.plan) text += paragraph(words);
   if (report.deviations.empty())
-    return text + paragraph("Nothing that the study file can tell deviates from it.") + kEnd;
+    return text + paragraph("Nothing that the study file can tell deviates from it.") + kSectionEnd;
   text += "<ul>\n";
   for (const std::string& deviation : report.deviations)
     text += fmt::format("<li>{}</li>\n", html(deviation));
-  return text + "</ul>\n" + kEnd;
+  return text + "</ul>\n" + kSectionEnd;
 }
 
 std::string method_sections(const StudyReport& report) {
   std::string text = heading("method", "Method");
   for (const std::string& words : report.method) text += paragraph(words);
-  text += kEnd + heading("limits", "Limits") + "<ul>\n";
+  text += kSectionEnd + heading("limits", "Limits") + "<ul>\n";
   for (const std::string& limit : report.limits) text += fmt::format("<li>{}</li>\n", html(limit));
-  text += "</ul>\n" + kEnd;
+  text += "</ul>\n" + kSectionEnd;
   if (report.voided.empty()) return text;
-  return text + heading("voided", "Voided trials") + html_table(voided_table(report)) + kEnd;
+  return text + heading("voided", "Voided trials") + html_table(voided_table(report)) + kSectionEnd;
 }
 
 std::string provenance_section(const StudyReport& report) {
-  std::string text = heading("provenance", "Where the numbers come from") + html_table(session_table(report));
+  std::string text = heading("provenance", "Where the numbers come from");
+  text += paragraph(sessions_in_words(report)) + folded_table(session_table(report), "sessions");
   text += fmt::format("<p>Protocol <code>{}</code> (SHA-256). Report computed by palpate {}.</p>\n",
                       escape(report.design.protocol_sha256), escape(report.options.software_version));
   if (!report.options.receipt.empty())
@@ -186,17 +159,17 @@ std::string provenance_section(const StudyReport& report) {
         "<p>Computed from a study file with the receipt <code>{0}</code>: <code>palpate verify STUDY "
         "--receipt {0}</code> tells whether a file still holds these answers.</p>\n",
         escape(report.options.receipt));
-  if (!report.withheld) text += html_table(examinee_table(report));
-  if (!report.curves.empty()) text += html_table(curve_table(report));
+  if (!report.withheld) text += folded_table(examinee_table(report), "examinees");
+  if (!report.curves.empty()) text += folded_table(curve_table(report), "force-depth");
   if (!report.design.protocol_text.empty()) {
     text += fmt::format("<h3>The protocol as it was run</h3>\n<pre>{}</pre>\n",
                         escape(report.design.protocol_text));
   }
-  return text + kEnd;
+  return text + kSectionEnd;
 }
 
 std::string answers_as_html(const StudyReport& report) {
-  return heading("answers", "Answers so far") + html_table(answers_table(report)) + kEnd;
+  return heading("answers", "Answers so far") + html_table(answers_table(report)) + kSectionEnd;
 }
 
 std::string results_as_html(const StudyReport& report) {
@@ -206,8 +179,8 @@ std::string results_as_html(const StudyReport& report) {
                 fmt::format("Percentage correct (dot) with its {} interval, by the interval that held {}. "
                             "Dashed: chance.",
                             short_percent(report.options.level), report.design.correct_condition)) +
-         html_table(sensitivity_table(report)) + kEnd + response_time_section(report) +
-         stimulus_section(report);
+         html_table(sensitivity_table(report)) + kSectionEnd + learning_section(report) +
+         response_time_section(report) + stimulus_section(report);
 }
 
 }  // namespace

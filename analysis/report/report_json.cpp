@@ -4,6 +4,7 @@
 #include "analysis/detection/to_json.hpp"
 #include "analysis/numerics/to_json.hpp"
 #include "analysis/report/deviations.hpp"
+#include "analysis/report/verdict.hpp"
 #include "analysis/report/write_report.hpp"
 #include "analysis/resampling/to_json.hpp"
 #include "analysis/statistics/examinee_level/to_json.hpp"
@@ -66,6 +67,7 @@ ordered_json design_json(const StudyDesign& design) {
           {"primary", design.primary},
           {"alpha", design.alpha},
           {"side", design.side},
+          {"adjust", design.adjust},
           {"between_models", design.between_models},
           {"looks", design.looks},
           {"spending", design.looks.empty() ? ordered_json(nullptr) : ordered_json(design.spending)},
@@ -111,6 +113,41 @@ ordered_json plan_json(const StudyReport& report) {
           {"unplanned_interim_looks", report.interim_looks.size()}};
 }
 
+ordered_json evidence_json(const std::optional<EvidenceForChance>& evidence) {
+  if (!evidence) return nullptr;
+  ordered_json similarity = nullptr;
+  if (evidence->similarity) {
+    const SimilarityTest& test = *evidence->similarity;
+    similarity = {{"bound_discriminators", test.bound_discriminators},
+                  {"bound", test.bound},
+                  {"discriminators_up_to", test.discriminators_up_to},
+                  {"p", test.p},
+                  {"similar", test.similar}};
+  }
+  return {{"similarity", similarity},
+          {"log_bayes_factor", to_json(evidence->bayes.log_bayes_factor)},
+          {"in_words", evidence_in_words(evidence->bayes.log_bayes_factor)}};
+}
+
+ordered_json learning_json(const std::optional<Learning>& learning) {
+  if (!learning) return nullptr;
+  return {{"correct_first_half", learning->correct_first}, {"trials_first_half", learning->trials_first},
+          {"correct_last_half", learning->correct_last},   {"trials_last_half", learning->trials_last},
+          {"mean_difference", learning->mean_difference},  {"sign_flip", to_json(learning->sign_flip)}};
+}
+
+std::string_view kind_of(const Contrast& contrast) {
+  switch (contrast.kind) {
+    case Contrast::Kind::MainEffect:
+      return "main effect";
+    case Contrast::Kind::Interaction:
+      return "interaction";
+    case Contrast::Kind::Cells:
+      break;
+  }
+  return "cells";
+}
+
 ordered_json cell_json(const StudyReport& report, const CellResult& cell) {
   ordered_json examinees = ordered_json::array();
   for (std::size_t i = 0; i < report.examinees.size(); ++i) {
@@ -129,10 +166,13 @@ ordered_json cell_json(const StudyReport& report, const CellResult& cell) {
           {"trials", cell.trials},
           {"voided", cell.voided},
           {"all_answers", all},
-          {"significant",
-           tested ? ordered_json(rejects(cell.primary->critical, cell.correct)) : ordered_json(nullptr)},
+          {"significant", tested ? ordered_json(rejects_guessing(report, cell)) : ordered_json(nullptr)},
+          {"verdict", report.withheld ? ordered_json() : ordered_json(in_words(verdict(report, cell)))},
+          {"p_adjusted", plain_or_null(cell.p_adjusted)},
           {"primary", tested ? primary_json(*cell.primary) : ordered_json(nullptr)},
           {"critical", tested ? to_json(cell.primary->critical) : ordered_json(nullptr)},
+          {"interval_over_examinees", or_null(cell.over_examinees)},
+          {"evidence_for_chance", evidence_json(cell.evidence)},
           {"examinee_level", or_null(cell.by_people)},
           {"overdispersion", spread_json(cell.spread)},
           {"dprime", or_null(cell.d_prime)},
@@ -140,16 +180,23 @@ ordered_json cell_json(const StudyReport& report, const CellResult& cell) {
           {"median_response_time_s",
            cell.response_times ? ordered_json(cell.response_times->median) : ordered_json(nullptr)},
           {"response_times_s", times_json(cell.response_times)},
+          {"learning", learning_json(cell.learning)},
           {"by_examinee", examinees}};
 }
 
 ordered_json comparison_json(const CellComparison& comparison) {
-  return {{"first", comparison.first},
-          {"second", comparison.second},
+  const Contrast& contrast = comparison.contrast;
+  return {{"comparison", name_of(contrast)},
+          {"kind", kind_of(contrast)},
+          {"first", contrast.first},
+          {"second", contrast.second},
+          {"weights", contrast.weights},
+          {"divisor", contrast.divisor},
           {"examinees", comparison.examinees},
           {"mean_difference",
            comparison.examinees > 0 ? to_json(comparison.mean_difference) : ordered_json(nullptr)},
           {"planned", comparison.planned},
+          {"p_adjusted", plain_or_null(comparison.p_adjusted)},
           {"sign_flip", or_null(comparison.sign_flip)},
           {"wilcoxon", or_null(comparison.signed_rank)}};
 }
@@ -158,6 +205,7 @@ ordered_json stimulus_json(const StimulusSummary& stimulus) {
   return {{"cell", stimulus.cell},
           {"condition", stimulus.condition},
           {"intervals", stimulus.intervals},
+          {"shown_again", stimulus.shown_again},
           {"mean_presses", stimulus.mean_presses},
           {"mean_exploration_time_s", or_null(stimulus.mean_exploration_s)},
           {"mean_peak_force_n", or_null(stimulus.mean_peak_force_n)},

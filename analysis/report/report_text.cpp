@@ -35,23 +35,43 @@ std::string laid_out(const TextTable& table) {
   return text;
 }
 
+std::string with_note(const TextTable& table) {
+  return laid_out(table) + (table.note.empty() ? "" : wrapped(table.note));
+}
+
 std::string section(const TextTable& table, const std::string& title, const std::string& claim = "") {
   std::string text = heading(title, '-');
   if (!claim.empty()) text += wrapped(claim);
-  text += laid_out(table);
-  return table.note.empty() ? text : text + wrapped(table.note);
+  return text + with_note(table);
 }
 
-std::string results_as_text(const StudyReport& report) {
+std::string primary_as_text(const StudyReport& report) {
   std::string primary = primary_in_words(report.design);
   primary[0] = static_cast<char>(primary[0] - 'A' + 'a');
   std::string text = section(primary_table(report), "Primary test: pooled " + primary, report.pooled_claim);
+  if (const TextTable evidence = evidence_table(report); !evidence.rows.empty())
+    text += section(evidence, "Secondary: where no difference is shown");
+  return text;
+}
+
+std::string results_as_text(const StudyReport& report) {
+  std::string text = primary_as_text(report);
   text += section(people_table(report), "Secondary: examinee-level test", report.people_claim);
   if (!report.comparisons.empty()) {
-    text += section(comparison_table(report), "Cell against cell", report.comparison_claim);
+    text += section(comparison_table(report), comparison_table(report).title, report.comparison_claim);
   }
   text += section(sensitivity_table(report), "Secondary: sensitivity and interval order");
+  if (const TextTable learning = learning_table(report); !learning.rows.empty())
+    text += section(learning, "Secondary: learning over the trials");
   return text + section(examinee_table(report), "Correct answers of each examinee");
+}
+
+std::string head(const StudyReport& report) {
+  std::string text = fmt::format("Significance report: {}\n", report.design.protocol_name);
+  text += fmt::format("Run mode: {}; protocol {}\n", report.run_mode,
+                      report.design.protocol_sha256.substr(0, 16));
+  for (const std::string& banner : report.banners) text += "\n" + wrapped(banner, "!! ", "!! ");
+  return text;
 }
 
 // Names come from files: nothing in them may steer the terminal.
@@ -64,12 +84,19 @@ std::string tame(std::string text) {
 
 }  // namespace
 
+std::string brief_report(const StudyReport& report) {
+  std::string text = head(report) + "\n";
+  if (!report.withheld) text += with_note(verdict_table(report)) + "\n";
+  text += wrapped(report.summary.front());
+  for (const CellComparison& comparison : report.comparisons)
+    if (comparison.planned != "none") text += "\n" + wrapped(comparison_summary(report, comparison));
+  if (report.withheld) text += "\n" + wrapped(report.summary.back());
+  return tame(text);
+}
+
 std::string text_report(const StudyReport& report) {
-  std::string text = fmt::format("Significance report: {}\n", report.design.protocol_name);
-  text += fmt::format("Run mode: {}; protocol {}\n", report.run_mode,
-                      report.design.protocol_sha256.substr(0, 16));
-  for (const std::string& banner : report.banners) text += "\n" + wrapped(banner, "!! ", "!! ");
-  text += heading("Summary", '=');
+  std::string text = head(report) + heading("Summary", '=');
+  if (!report.withheld) text += with_note(verdict_table(report)) + "\n";
   for (std::size_t i = 0; i < report.summary.size(); ++i)
     text += (i > 0 ? "\n" : "") + wrapped(report.summary[i]);
   text += report.withheld ? section(answers_table(report), "Answers so far") : results_as_text(report);
@@ -89,8 +116,9 @@ std::string text_report(const StudyReport& report) {
   text += fmt::format("\nProtocol {}\n", report.design.protocol_sha256);
   if (!report.options.receipt.empty())
     text += fmt::format("Study file with the receipt {}\n", report.options.receipt);
-  text += fmt::format("Report by palpate {}{}\n", report.options.software_version,
-                      report.options.written_utc.empty() ? "" : ", " + report.options.written_utc);
+  text += fmt::format(
+      "Report by palpate {}{}\n", report.options.software_version,
+      report.options.written_utc.empty() ? "" : ", " + to_the_second(report.options.written_utc) + " UTC");
   return tame(text);
 }
 

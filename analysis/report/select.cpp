@@ -33,7 +33,7 @@ void validate_design(const StudyDesign& design) {
   }
   if (design.between_models != "none" && design.between_models != "sign-flip" &&
       design.between_models != "wilcoxon") {
-    refuse(fmt::format("the test between models is '{}'; this version knows: sign-flip, wilcoxon, none",
+    refuse(fmt::format("cells are compared by '{}'; this version knows: sign-flip, wilcoxon, none",
                        design.between_models));
   }
   if (design.cells.empty()) refuse("the design has no cell");

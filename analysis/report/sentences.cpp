@@ -3,8 +3,10 @@
 #include <fmt/core.h>
 
 #include "analysis/report/deviations.hpp"
+#include "analysis/report/limits.hpp"
 #include "analysis/report/method_section.hpp"
 #include "analysis/report/summary.hpp"
+#include "analysis/words/words.hpp"
 
 namespace palpate::analysis {
 
@@ -15,11 +17,14 @@ void write_sentences(const std::vector<std::string>& notes, StudyReport& report)
   report.summary = summary(report);
   const std::string why =
       report.design.interval_order == "coin"
-          ? "A fair coin decided each order, so an answer that owes nothing to the stimulus is correct with "
-            "probability 1/2, whoever gives it and however often."
-          : "The orders were balanced and drawn at random, so for answers that owe nothing to the stimulus "
-            "every order that could have been drawn is as likely as the one that was; the answers are held "
-            "fixed.";
+          ? fmt::format(
+                "A fair coin decided each order, so an answer that owes nothing to the stimulus is correct with "
+                "probability {}, whoever gives it and however often.",
+                chance_in_words(report.design.chance))
+          : std::string(
+                "The orders were balanced and drawn at random, so for answers that owe nothing to the stimulus "
+                "every order that could have been drawn is as likely as the one that was; the answers are held "
+                "fixed.");
   report.pooled_claim = fmt::format(
       "The pooled test asks whether anything but guessing is in the answers. {} A rejection says that "
       "somebody told the conditions apart; it does not say how many do.",

@@ -42,12 +42,12 @@ struct StudyDesign {
   std::string primary = "paired-comparison";
   double alpha = 0.05;
   std::string side = "greater";         // "greater", "less", "two-sided"
+  std::string adjust = "none";          // "holm", "hochberg", "benjamini-hochberg": p over the cells
   std::string between_models = "none";  // "sign-flip", "wilcoxon", "none"
   std::vector<int> looks{};             // complete examinees at each planned look; empty: at the end only
   std::string spending{};               // of alpha over the looks: "obrien-fleming", "pocock"
 };
 
-/// One examinee's sitting.
 /// Where something stands in the chains of a study file, which tell in which order it was written, whatever
 /// the clock said. A file that was joined from others has a chain for each.
 struct ChainPlace {
@@ -59,6 +59,7 @@ struct ChainPlace {
 bool came_before(const ChainPlace& a, const std::string& a_utc, const ChainPlace& b,
                  const std::string& b_utc);
 
+/// One examinee's sitting.
 struct ReportedSession {
   int session = 1;  // number of this examinee's sittings, from 1: the exports' session_id
   std::string examinee{};
@@ -108,6 +109,8 @@ struct TrialRow {
   bool voided = false;
   std::string void_reason{};
   std::vector<IntervalRow> intervals{};
+  std::vector<std::string> shown_in_vain{};  // conditions of presentations that did not count: not explored
+                                             // enough, or cut off
 };
 
 /// Force on the finger over its depth, the mean of all presses under one condition of one cell, resampled by

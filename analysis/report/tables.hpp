@@ -17,10 +17,13 @@ struct TextTable {
 
 /// Who has answered how often, while results are withheld.
 TextTable answers_table(const StudyReport& report);
+TextTable verdict_table(const StudyReport& report);        // a line for each cell
 TextTable primary_table(const StudyReport& report);        // answers, critical number, p, interval
+TextTable evidence_table(const StudyReport& report);       // where no difference is shown; may be empty
 TextTable people_table(const StudyReport& report);         // examinee-level test
-TextTable comparison_table(const StudyReport& report);     // cell against cell
+TextTable comparison_table(const StudyReport& report);     // planned ones first
 TextTable sensitivity_table(const StudyReport& report);    // d' and answers by interval order
+TextTable learning_table(const StudyReport& report);       // empty where nobody answered twice
 TextTable examinee_table(const StudyReport& report);       // counts of each examinee
 TextTable response_time_table(const StudyReport& report);  // empty where none were recorded
 TextTable stimulus_table(const StudyReport& report);

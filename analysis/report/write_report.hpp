@@ -14,6 +14,9 @@ std::string html_report(const StudyReport& report);
 /// For a terminal, at most 100 columns where the words allow; control characters of names are replaced.
 std::string text_report(const StudyReport& report);
 
+/// A screenful of it: banners, verdicts, who took part, and the planned comparisons.
+std::string brief_report(const StudyReport& report);
+
 /// Every number of the report. Proportions are fractions, units stand in the names, what is not there is
 /// null.
 nlohmann::ordered_json json_report(const StudyReport& report);

@@ -11,8 +11,23 @@ namespace palpate::analysis {
 std::string p_in_words(double p) {
   if (std::isnan(p)) return "p not available";
   if (p < 0.0001) return "p < 0.0001";
-  if (p >= 0.9995) return "p = 1";
+  if (p >= 0.9995) return p < 1 ? "p > 0.999" : "p = 1";
   return p < 0.001 ? fmt::format("p = {:.4f}", p) : fmt::format("p = {:.3f}", p);
+}
+
+std::string bare_p(double p) {
+  const std::string words = p_in_words(p);
+  return words.substr(words.starts_with("p = ") ? 4 : 2);
+}
+
+std::string to_the_second(std::string_view utc) {
+  constexpr std::size_t kDate = 10, kTime = 8;
+  if (utc.size() < kDate + 1 + kTime || utc[kDate] != 'T') return std::string(utc);
+  return fmt::format("{} {}", utc.substr(0, kDate), utc.substr(kDate + 1, kTime));
+}
+
+std::string out_of(long correct, long trials) {
+  return fmt::format("{} of {}", correct, trials);
 }
 
 std::string percent(double proportion) {

@@ -12,9 +12,21 @@ namespace palpate::analysis {
 
 // How numbers are written for people. Digits that the data cannot carry are not printed.
 
-/// "p = 0.003", "p = 0.046", "p < 0.0001", "p = 1": two significant digits, at least three decimals where p >
-/// 0.001.
+/// "p = 0.003", "p = 0.046", "p < 0.0001", "p > 0.999", "p = 1" where it is 1: two significant digits, at
+/// least three decimals where p > 0.001.
 std::string p_in_words(double p);
+
+/// The same for a column headed "p": "0.046", "< 0.0001".
+std::string bare_p(double p);
+
+/// "2026-11-28 10:11:12" of the ISO 8601 "2026-11-28T10:11:12.345Z"; what is no such time stays as it is.
+std::string to_the_second(std::string_view utc);
+
+/// What stands in a table where there is no number.
+inline const std::string kNotAvailable = "n/a";
+
+/// "41 of 60".
+std::string out_of(long correct, long trials);
 
 /// "68.3 %"; "n/a" for NaN.
 std::string percent(double proportion);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <functional>
@@ -13,6 +15,17 @@ inline void add_format(CLI::App& command, std::string& format) {
   command.add_option("--format", format, "What to print the result as")
       ->check(CLI::IsMember({"text", "json"}))
       ->default_val("text");
+}
+
+/// Adds `--full` to a command whose result is longer than a screen.
+inline void add_full(CLI::App& command, bool& full) {
+  command.add_flag("--full", full,
+                   "Print everything on a terminal too, not a screenful (a pipe gets all of it)");
+}
+
+/// Whether a screenful is enough: standard output is a terminal, and nobody asked for all.
+inline bool brief(bool full) {
+  return !full && ::isatty(STDOUT_FILENO) == 1;
 }
 
 /// Adds `--seed` to a command that draws. CLI11 alone takes -1 and all that is too large for 2^64 - 1.

@@ -11,6 +11,7 @@
 #include "analysis/numerics/proportion_interval.hpp"
 #include "analysis/numerics/to_json.hpp"
 #include "analysis/report/primary_test.hpp"
+#include "analysis/statistics/adjust/adjust.hpp"
 #include "analysis/words/words.hpp"
 #include "app/command_line/interrupt.hpp"
 #include "app/command_line/progress.hpp"
@@ -27,17 +28,36 @@ using nlohmann::ordered_json;
 
 using Rejected = std::vector<bool>;  // in each cell
 
+std::vector<analysis::OrderStratum> strata(const std::vector<trials::SittingCount>& cell) {
+  std::vector<analysis::OrderStratum> sittings;
+  sittings.reserve(cell.size());
+  for (const trials::SittingCount& c : cell)
+    sittings.push_back({c.trials, c.correct_first, c.answers_first, c.correct});
+  return sittings;
+}
+
+/// The same without looks, by the p values adjusted over the cells.
+Rejected adjusted_test(const analysis::StudyDesign& design,
+                       const std::vector<std::vector<trials::SittingCount>>& counts) {
+  std::vector<double> p;
+  for (const auto& cell : counts)
+    p.push_back(analysis::primary_test(design, strata(cell), 0.95, std::nullopt)
+                    .p.of(analysis::side_from_name(design.side)));
+  Rejected rejected;
+  for (const double adjusted : analysis::adjusted(design.adjust, p))
+    rejected.push_back(adjusted <= design.alpha);
+  return rejected;
+}
+
 /// Whether the protocol's primary test rejects in each cell, at any look that it plans.
 Rejected test(const analysis::StudyDesign& design,
               const std::vector<std::vector<trials::SittingCount>>& counts) {
+  if (design.adjust != "none") return adjusted_test(design, counts);
   std::vector<int> looks = design.looks;
   if (looks.empty()) looks.push_back(design.planned_examinees);
   Rejected rejected;
   for (const auto& cell : counts) {
-    std::vector<analysis::OrderStratum> sittings;
-    sittings.reserve(cell.size());
-    for (const trials::SittingCount& c : cell)
-      sittings.push_back({c.trials, c.correct_first, c.answers_first, c.correct});
+    const std::vector<analysis::OrderStratum> sittings = strata(cell);
     rejected.push_back(std::ranges::any_of(looks, [&](int look) {
       const auto seen = std::span(sittings).first(look);
       const analysis::PrimaryTest primary =

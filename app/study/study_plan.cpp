@@ -9,6 +9,7 @@
 
 #include "analysis/binomial/to_json.hpp"
 #include "analysis/detection/dprime.hpp"
+#include "analysis/report/verdict.hpp"
 #include "analysis/words/words.hpp"
 #include "app/command_line/user_cache.hpp"
 #include "app/study/study_table.hpp"
@@ -73,14 +74,20 @@ std::string region(const CriticalNumber& critical) {
   return text.empty() ? "no number of correct answers rejects guessing" : text;
 }
 
+/// What the adjustment over the cells leaves where the other cells reject as well.
+std::string at_best(const StudyPlan& plan) {
+  if (!plan.critical_at_best) return "";
+  return fmt::format("; if all other cells reject: {}", region(*plan.critical_at_best));
+}
+
 std::string regions_in_words(const StudyPlan& plan) {
   std::string text;
   const long each = plan.protocol.trials_per_examinee_per_cell;
   for (const trials::Cell& cell : plan.protocol.cells) {
     if (plan.critical && plan.looks.empty()) {
-      text += fmt::format("{}: {}; {} (probability under guessing {})\n", cell.name,
+      text += fmt::format("{}: {}; {} (probability under guessing {}){}\n", cell.name,
                           counted(plan.critical->trials, "trial", "trials"), region(*plan.critical),
-                          number(plan.critical->size));
+                          number(plan.critical->size), at_best(plan));
     } else if (plan.looks.empty()) {
       text += fmt::format(
           "{}: {}; the number that rejects guessing depends on how often either interval is "
@@ -98,6 +105,10 @@ std::string regions_in_words(const StudyPlan& plan) {
   return text;
 }
 
+bool adjusts(const StudyPlan& plan) {
+  return plan.protocol.analysis.adjust != trials::Adjust::None;
+}
+
 std::string closing_words(const StudyPlan& plan) {
   const bool balanced = plan.protocol.interval_order == trials::IntervalOrder::Balanced;
   std::string text = balanced
@@ -106,6 +117,8 @@ std::string closing_words(const StudyPlan& plan) {
                                "studies: standard error at most {}. ",
                                plan.rows[0].alike.studies, number(0.5 / 100))
                          : std::string("Exact power of the primary test for each cell. ");
+  if (adjusts(plan))
+    text += "It is the power if no other cell rejects, the least that the adjustment leaves. ";
   text += "\"alike\": were every answer correct with the same probability. ";
   if (plan.overdispersion > 0) {
     text += fmt::format(
@@ -154,6 +167,7 @@ ordered_json frozen_text(const trials::Protocol& protocol) {
           {"primary", design.primary},
           {"alpha", design.alpha},
           {"side", design.side},
+          {"adjust", design.adjust},
           {"between_models", design.between_models},
           {"planned_examinees", design.planned_examinees},
           {"trials_per_examinee_per_cell", design.trials_per_examinee_per_cell},
@@ -178,6 +192,13 @@ void refuse_if_late(const trials::StudyFile& study) {
   }
 }
 
+void set_critical(const StudyDesign& design, double chance, StudyPlan& plan) {
+  const long trials = long{design.trials_per_examinee_per_cell} * design.planned_examinees;
+  const Side side = side_from_name(design.side);
+  plan.critical = critical_number(trials, chance, strictest_alpha(design), side);
+  if (design.adjust != "none") plan.critical_at_best = critical_number(trials, chance, design.alpha, side);
+}
+
 }  // namespace
 
 StudyPlan planned_regions(const trials::Protocol& protocol) {
@@ -188,8 +209,7 @@ StudyPlan planned_regions(const trials::Protocol& protocol) {
   if (!plan.looks.empty())
     plan.critical = plan.looks.back().critical;
   else if (protocol.interval_order == trials::IntervalOrder::Coin)
-    plan.critical = critical_number(long{protocol.trials_per_examinee_per_cell} * protocol.planned_examinees,
-                                    protocol.task->chance, design.alpha, side_from_name(design.side));
+    set_critical(design, protocol.task->chance, plan);
   return plan;
 }
 
@@ -198,7 +218,7 @@ StudyPlan study_plan(const trials::Protocol& protocol, double overdispersion) {
   plan.overdispersion = overdispersion;
   const StudyDesign design = design_of(protocol);
   const long each = protocol.trials_per_examinee_per_cell;
-  const double chance = protocol.task->chance, alpha = design.alpha;
+  const double chance = protocol.task->chance, alpha = strictest_alpha(design);
   const Side side = side_from_name(design.side);
   const bool coin = protocol.interval_order == trials::IntervalOrder::Coin;
   for (const double probability : proportions(chance, side)) {
@@ -221,8 +241,11 @@ std::string in_words(const StudyPlan& plan) {
                                  counted(each, "trial", "trials"), counted(cells, "cell", "cells"),
                                  counted(each * cells, "trial", "trials"),
                                  counted(protocol.planned_examinees, "examinee", "examinees"));
-  text += fmt::format("Primary test: {}, alpha {}, side {}\n\n", to_string(protocol.analysis.primary),
-                      protocol.analysis.alpha, to_string(protocol.analysis.side));
+  text += fmt::format("Primary test: {}, alpha {}, side {}{}\n\n", to_string(protocol.analysis.primary),
+                      protocol.analysis.alpha, to_string(protocol.analysis.side),
+                      adjusts(plan) ? fmt::format(", p adjusted over the cells after {}",
+                                                  adjustment_in_words(to_string(protocol.analysis.adjust)))
+                                    : "");
   text += regions_in_words(plan);
   const bool differing = plan.overdispersion > 0;
   text += fmt::format("\n{:>14}  {:>5}  {:>12}{}  {:>20}  {:>22}\n", "true correct", "d'", "power, alike",
@@ -242,9 +265,10 @@ ordered_json to_json(const StudyPlan& plan) {
   const long each = protocol.trials_per_examinee_per_cell;
   ordered_json cells = ordered_json::array(), rows = ordered_json::array(), looks = ordered_json::array();
   for (const trials::Cell& cell : protocol.cells) {
-    cells.push_back(
-        {{"cell", cell.name},
-         {"critical", plan.critical ? analysis::to_json(*plan.critical) : ordered_json(nullptr)}});
+    cells.push_back({{"cell", cell.name},
+                     {"critical", plan.critical ? analysis::to_json(*plan.critical) : ordered_json(nullptr)},
+                     {"critical_at_best", plan.critical_at_best ? analysis::to_json(*plan.critical_at_best)
+                                                                : ordered_json(nullptr)}});
   }
   for (const PlannedLook& look : plan.looks) {
     looks.push_back({{"examinees", look.critical.trials / each},
@@ -260,6 +284,7 @@ ordered_json to_json(const StudyPlan& plan) {
           {"primary", to_string(protocol.analysis.primary)},
           {"alpha", protocol.analysis.alpha},
           {"side", to_string(protocol.analysis.side)},
+          {"adjust", to_string(protocol.analysis.adjust)},
           {"cells", cells},
           {"looks", looks},
           {"target_power", kTargetPower},

@@ -24,7 +24,10 @@ struct PowerRow {
 /// What a protocol amounts to before anybody has sat it.
 struct StudyPlan {
   trials::Protocol protocol{};
-  std::optional<analysis::CriticalNumber> critical{};  // at the end; empty where it depends on the answers
+  /// At the end; empty where it depends on the answers. Where the cells' p values are adjusted: what rejects in
+  /// a cell whatever the others give.
+  std::optional<analysis::CriticalNumber> critical{};
+  std::optional<analysis::CriticalNumber> critical_at_best{};  // adjusted: where all other cells reject
   std::vector<analysis::PlannedLook> looks{};
   double overdispersion = 0.0;
   std::vector<PowerRow> rows{};

@@ -40,16 +40,17 @@ analysis::StudyDesign design_of(const trials::Protocol& protocol) {
       .primary = std::string(to_string(protocol.analysis.primary)),
       .alpha = protocol.analysis.alpha,
       .side = std::string(to_string(protocol.analysis.side)),
+      .adjust = std::string(trials::to_string(protocol.analysis.adjust)),
       .between_models = protocol.analysis.between_models.value_or("none"),
       .looks = protocol.analysis.looks,
       .spending = protocol.analysis.spending};
   for (const std::size_t condition : protocol.presented)
     design.conditions.push_back(protocol.conditions[condition].name);
-  for (const trials::Factor& factor : protocol.factors) design.factors.push_back(factor.key);
+  for (const trials::Factor& factor : protocol.factors) design.factors.push_back(factor.name);
   for (const trials::Cell& cell : protocol.cells) {
     analysis::DesignCell row{.name = cell.name};
     for (std::size_t f = 0; f < cell.levels.size(); ++f)
-      row.levels.push_back(protocol.factors[f].levels[cell.levels[f]]);
+      row.levels.push_back(protocol.factors[f].levels[cell.levels[f]].name);
     design.cells.push_back(row);
   }
   return design;
@@ -169,6 +170,8 @@ analysis::TrialRow trial_of(const trials::Protocol& protocol, const trials::Answ
   if (row.voided) row.void_reason = *answered.void_reason;
   for (const trials::PresentationRow& presentation : answered.intervals)
     row.intervals.push_back(interval_of(protocol, presentation));
+  for (const trials::PresentationRow& presentation : answered.exposures)
+    row.shown_in_vain.push_back(protocol.conditions[presentation.condition].name);
   return row;
 }
 

@@ -84,4 +84,11 @@ std::vector<CsvRow> split_csv(std::string_view text, const std::string& name) {
   return std::move(rows.rows);
 }
 
+std::string csv_field(std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
 }  // namespace palpate::base

@@ -17,4 +17,8 @@ struct CsvRow {
 /// for a byte that is no UTF-8, a quote within a field and a text that ends within quotes.
 std::vector<CsvRow> split_csv(std::string_view text, const std::string& name);
 
+/// A field as RFC 4180 writes it: in quotes, with those within doubled, where it holds a comma, a quote or a line
+/// break; else as it is.
+std::string csv_field(std::string_view text);
+
 }  // namespace palpate::base

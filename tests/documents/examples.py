@@ -11,6 +11,8 @@ one must end well. Lines of output that are shown behind a "$ " command must com
 A block of TOML behind a line `<!-- put into FILE -->` is put into that file, each line in the place of the one of its
 key, as a reader does it in an editor.
 
+`<!-- in place of people: COMMAND -->` is run as well, and not shown: it makes the sessions that people would have sat.
+
 A block behind a line `<!-- not run: REASON -->` is left out, and so is code in the text behind one, and a line that
 ends in `# not run: REASON`.
 """
@@ -24,7 +26,8 @@ import tempfile
 
 BLOCK = re.compile(r"^(?:<!-- (?:not run: (?P<reason>[^\n]+)|put into (?P<file>\S+)) -->\n)?"
                    r"```(?P<kind>\w*)\n(?P<text>.*?)^```$", re.M | re.S)
-INLINE = re.compile(r"(?:<!-- not run: [^\n]+ -->\s*`[^`]+`)|`(\./palpate [^`]+)`")
+INLINE = re.compile(r"(?:<!-- not run: [^\n]+? -->\s*`[^`]+`)|`(\./palpate\s[^`]+)`"
+                    r"|<!-- in place of people: ([^\n]+?) -->")
 NOT_RUN = re.compile(r"#.*not run: ")
 NUMBER = re.compile(r"\d[\d.]*(?:e-?\d+)?")
 LONGEST = 120  # that a command may take [s]
@@ -98,7 +101,7 @@ def examples(document):
 
 
 def inline(text):
-    return [Command(command.replace("\n", " ")) for command in INLINE.findall(text) if command]
+    return [Command((shown or hidden).replace("\n", " ")) for shown, hidden in INLINE.findall(text) if shown or hidden]
 
 
 def commands_of(text):

@@ -1,6 +1,7 @@
 #include "tests/end_to_end/program.hpp"
 
 #include <fcntl.h>
+#include <pty.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -65,6 +66,24 @@ Outcome run(const std::vector<std::string>& arguments) {
   while (::waitpid(pid, &status, 0) < 0 && errno == EINTR) {
   }
   return {.exit_code = code_of(status), .out = out.text(), .err = err.text()};
+}
+
+Outcome run_on_terminal(const std::vector<std::string>& arguments) {
+  int mine = -1, its = -1;
+  if (::openpty(&mine, &its, nullptr, nullptr, nullptr) != 0) throw std::runtime_error("no pseudo-terminal");
+  const Capture err;
+  const pid_t pid = start(arguments, its, err.descriptor());
+  ::close(its);
+  std::string out;
+  char part[4096];
+  for (ssize_t got = ::read(mine, part, sizeof part); got > 0; got = ::read(mine, part, sizeof part))
+    out.append(part,
+               static_cast<std::size_t>(got));  // ends with an error once the program has closed its side
+  int status = 0;
+  while (::waitpid(pid, &status, 0) < 0 && errno == EINTR) {
+  }
+  ::close(mine);
+  return {.exit_code = code_of(status), .out = out, .err = err.text()};
 }
 
 Running::Running(const std::vector<std::string>& arguments) {

@@ -15,6 +15,9 @@ struct Outcome {
 /// Runs the palpate that was built, as a user would.
 Outcome run(const std::vector<std::string>& arguments);
 
+/// The same with a terminal as standard output.
+Outcome run_on_terminal(const std::vector<std::string>& arguments);
+
 /// The same in the background, its output thrown away.
 class Running {
  public:

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "tests/end_to_end/program.hpp"
@@ -73,6 +74,19 @@ TEST_F(ReportEndToEnd, NumbersSittingsAsTheExportsDo) {
   simulate("kuroda2003.toml", 2);
   const json shown = report();
   for (const json& session : shown.at("sessions")) EXPECT_EQ(session.at("session"), 1);
+}
+
+TEST_F(ReportEndToEnd, ATerminalGetsAScreenfulAndWhereTheRestIs) {
+  simulate("kuroda2003.toml", 15);
+  const Outcome all = run({"report", file("a.db")});
+  EXPECT_THAT(all.out, HasSubstr("Limits\n======"));
+  const Outcome brief = test::run_on_terminal({"report", file("a.db"), "--out", file("r.html")});
+  EXPECT_EQ(brief.exit_code, 0);
+  EXPECT_LE(std::ranges::count(brief.out, '\n'), 24);
+  EXPECT_THAT(brief.out, HasSubstr("told apart"));
+  EXPECT_THAT(brief.out, HasSubstr("All of it: " + file("r.html") + " (open it in a browser), or --full."));
+  const Outcome full = test::run_on_terminal({"report", file("a.db"), "--full"});
+  EXPECT_THAT(full.out, HasSubstr("Limits"));
 }
 
 }  // namespace

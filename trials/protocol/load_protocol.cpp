@@ -41,10 +41,8 @@ void check_one_by_one(const Protocol& protocol) {
   for (const Condition& condition : protocol.conditions)
     scene_with(protocol, condition.overrides, condition.line, "conditions." + condition.name);
   for (const Factor& factor : protocol.factors)
-    for (const std::string& value : factor.values) {
-      const sim::Override change{factor.key, value};
-      scene_with(protocol, std::span(&change, 1), factor.line, fmt::format("factors.\"{}\"", factor.key));
-    }
+    for (const FactorLevel& level : factor.levels)
+      scene_with(protocol, level.overrides, factor.line, fmt::format("factors.\"{}\"", factor.name));
 }
 
 std::vector<sim::Scene> scenes_of(const Protocol& protocol) {

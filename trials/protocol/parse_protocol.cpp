@@ -30,6 +30,12 @@ void check_name(const TomlReader& reader, std::string_view key, std::string_view
     reader.refuse(key, fmt::format("found the name \"{}\", accepted: {}", name, kNamesAccepted));
 }
 
+/// Of a factor's level, which stands in tables and plots.
+void check_level_name(const TomlReader& reader, std::string_view name) {
+  if (name.empty() || std::ranges::any_of(name, [](unsigned char c) { return c < 0x20 || c == 0x7f; }))
+    reader.refuse(name, "a level's name is empty or holds a control character; accepted: any words");
+}
+
 /// A value as an override takes it.
 std::string as_toml(const TomlReader& reader, std::string_view key, const toml::node& node) {
   if (node.is_table())
@@ -42,32 +48,72 @@ std::string as_toml(const TomlReader& reader, std::string_view key, const toml::
   return text.str();
 }
 
+/// The scene overrides that a table of a condition or of a factor's level holds.
+std::vector<sim::Override> read_overrides(TomlReader table) {
+  std::vector<sim::Override> overrides;
+  for (const std::string& key : table.keys())
+    overrides.push_back({key, as_toml(table, key, table.other(key))});
+  return overrides;
+}
+
 std::vector<Condition> read_conditions(TomlReader all) {
   std::vector<Condition> conditions;
   for (const std::string& name : all.keys()) {
     check_name(all, name, name);
-    TomlReader table = all.table(name, condition_keys());
-    Condition condition{.name = name, .overrides = {}, .line = all.line_of(name)};
-    for (const std::string& key : table.keys())
-      condition.overrides.push_back({key, as_toml(table, key, table.other(key))});
-    conditions.push_back(std::move(condition));
+    conditions.push_back({.name = name,
+                          .overrides = read_overrides(all.table(name, condition_keys())),
+                          .line = all.line_of(name)});
   }
   return conditions;
 }
 
-Factor read_factor(TomlReader& reader, const std::string& key) {
-  Factor factor{.key = key, .levels = {}, .values = {}, .line = reader.line_of(key)};
-  for (const toml::node& item : reader.as_array(key, reader.other(key))) {
+/// Levels without names, `"contact.model" = ["kuroda", "sibille"]`: each is called as its value reads.
+std::vector<FactorLevel> read_values(TomlReader& reader, const std::string& key) {
+  std::vector<FactorLevel> levels;
+  for (const toml::node& item : *reader.other(key).as_array()) {
     const std::string value = as_toml(reader, key, item);
-    const std::string level = item.is_string() ? *item.value<std::string>() : value;
-    if (std::ranges::find(factor.levels, level) != factor.levels.end())
-      reader.refuse(key, fmt::format("holds {} twice; accepted: every level once", value));
-    factor.levels.push_back(level);
-    factor.values.push_back(value);
+    levels.push_back({.name = item.is_string() ? *item.value<std::string>() : value,
+                      .overrides = {{.key = key, .value = value}}});
   }
-  if (factor.levels.size() < 2)
-    reader.refuse(key,
-                  "has fewer than 2 levels; accepted: 2 or more (what does not vary belongs into the scene)");
+  return levels;
+}
+
+/// Levels with names: a value of the scene's key that the factor is called after, or, where the factor has a
+/// name of its own, a table of scene keys.
+std::vector<FactorLevel> read_named_levels(TomlReader& reader, const std::string& key) {
+  TomlReader table = reader.table_at(key, reader.other(key), level_keys());
+  const bool is_scene_key = key.find('.') != std::string::npos;
+  std::vector<FactorLevel> levels;
+  for (const std::string& name : table.keys()) {
+    check_level_name(table, name);
+    const toml::node& node = table.other(name);
+    if (is_scene_key) {
+      levels.push_back({.name = name, .overrides = {{.key = key, .value = as_toml(table, name, node)}}});
+      continue;
+    }
+    if (!node.is_table())
+      table.refuse(name,
+                   fmt::format("\"{}\" is no key of a scene, so each of its levels is a table of scene "
+                               "keys; accepted: {} = {{ {} = {{ \"bodies.prostate.offset\" = [..] }}, "
+                               ".. }}, or a scene's key in quotes: \"bodies.prostate.offset\" = {{ {} = "
+                               "[..], .. }}",
+                               key, key, name, name));
+    levels.push_back(
+        {.name = name, .overrides = read_overrides(table.table_at(name, node, condition_keys()))});
+  }
+  return levels;
+}
+
+Factor read_factor(TomlReader& reader, const std::string& key) {
+  const toml::node& node = reader.other(key);
+  if (!node.is_table()) reader.as_array(key, node);  // refuses what is neither
+  Factor factor{.name = key,
+                .levels = node.is_array() ? read_values(reader, key) : read_named_levels(reader, key),
+                .line = reader.line_of(key)};
+  if (factor.levels.empty()) reader.refuse(key, "has no level; accepted: one or more");
+  for (const FactorLevel& level : factor.levels)
+    if (std::ranges::count(factor.levels, level.name, &FactorLevel::name) > 1)
+      reader.refuse(key, fmt::format("holds \"{}\" twice; accepted: every level once", level.name));
   return factor;
 }
 
@@ -114,6 +160,23 @@ void read_exploration(TomlReader reader, Exploration& rule) {
   reader.refuse_unknown();
 }
 
+/// One or two factors vary, each between two levels.
+bool has_planned_comparisons(const Protocol& protocol) {
+  std::size_t varied = 0;
+  for (const Factor& factor : protocol.factors) {
+    if (factor.levels.size() > 2) return false;
+    varied += factor.levels.size() == 2 ? 1 : 0;
+  }
+  return varied == 1 || varied == 2;
+}
+
+std::string levels_in_words(const Protocol& protocol) {
+  if (protocol.factors.empty()) return "no";
+  std::vector<std::size_t> counts;
+  for (const Factor& factor : protocol.factors) counts.push_back(factor.levels.size());
+  return fmt::format("{}", fmt::join(counts, " x "));
+}
+
 /// Looks at the results before the sample is complete, by how many examinees are complete then.
 void read_looks(TomlReader& reader, Protocol& protocol) {
   AnalysisPlan& plan = protocol.analysis;
@@ -122,6 +185,8 @@ void read_looks(TomlReader& reader, Protocol& protocol) {
                   "are planned for the exact binomial test; accepted with order.interval = \"coin\" only");
   if (plan.side == Side::TwoSided)
     reader.refuse("looks", "are planned for one-sided tests; accepted with side = \"greater\" or \"less\"");
+  if (plan.adjust != Adjust::None)
+    reader.refuse("looks", "spend the alpha of each cell by itself; accepted without adjust only");
   int before = 0;
   for (const toml::node& item : reader.as_array("looks", reader.other("looks"))) {
     const std::int64_t at = item.is_integer() ? *item.value<std::int64_t>() : 0;
@@ -144,14 +209,16 @@ void read_analysis(TomlReader reader, Protocol& protocol) {
   protocol.task->check_primary(reader, protocol);
   plan.alpha = reader.number("alpha");
   plan.side = reader.word("side", kSideWords);
+  plan.adjust = reader.word("adjust", kAdjustWords);
   if (reader.has("between_models")) {
     plan.between_models = reader.word("between_models");
-    if (protocol.cells.size() != 2)
+    if (!has_planned_comparisons(protocol))
       reader.refuse(
           "between_models",
-          fmt::format("compares two cells, and the factors of this protocol make {}; accepted: one factor "
-                      "with two levels, or no between_models",
-                      protocol.cells.size()));
+          fmt::format("compares two cells, or two factors of two levels each (both main effects and their "
+                      "interaction); the factors of this protocol have {} levels; accepted: such factors, or "
+                      "no between_models",
+                      levels_in_words(protocol)));
   }
   if (reader.has("looks")) read_looks(reader, protocol);
   reader.refuse_unknown();

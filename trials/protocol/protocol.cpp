@@ -24,15 +24,15 @@ std::vector<std::size_t> levels_of(const std::vector<Factor>& factors, std::size
 Cell make_cell(const std::vector<Factor>& factors, std::size_t number) {
   Cell cell{.name = factors.empty() ? "all" : "", .levels = levels_of(factors, number)};
   for (std::size_t i = 0; i < factors.size(); ++i)
-    cell.name += (i > 0 ? ", " : "") + factors[i].levels[cell.levels[i]];
+    cell.name += (i > 0 ? ", " : "") + factors[i].levels[cell.levels[i]].name;
   return cell;
 }
 
 Stimulus make_stimulus(const Protocol& protocol, std::size_t cell, std::size_t condition) {
   Stimulus stimulus{.cell = cell, .condition = condition, .overrides = {}};
   for (std::size_t i = 0; i < protocol.factors.size(); ++i) {
-    const Factor& factor = protocol.factors[i];
-    stimulus.overrides.push_back({factor.key, factor.values[protocol.cells[cell].levels[i]]});
+    const auto& changes = protocol.factors[i].levels[protocol.cells[cell].levels[i]].overrides;
+    stimulus.overrides.insert(stimulus.overrides.end(), changes.begin(), changes.end());
   }
   const auto& changes = protocol.conditions[condition].overrides;
   stimulus.overrides.insert(stimulus.overrides.end(), changes.begin(), changes.end());
@@ -98,6 +98,9 @@ std::string_view to_string(PrimaryAnalysis analysis) {
 }
 std::string_view to_string(Side side) {
   return base::word_of(kSideWords, side);
+}
+std::string_view to_string(Adjust adjust) {
+  return base::word_of(kAdjustWords, adjust);
 }
 
 }  // namespace palpate::trials

@@ -21,12 +21,17 @@ struct Condition {
   int line = 0;  // in the protocol file
 };
 
-/// A scene key that is varied between trials; every combination of the factors' levels is a cell.
+/// A named set of scene overrides, one of a factor's: `near`, `far`.
+struct FactorLevel {
+  std::string name{};
+  std::vector<sim::Override> overrides{};
+};
+
+/// What is varied between trials; every combination of the factors' levels is a cell.
 struct Factor {
-  std::string key;                  // "contact.model"
-  std::vector<std::string> levels;  // as a reader sees them: "kuroda"
-  std::vector<std::string> values;  // the same as TOML, as an override takes them: "\"kuroda\""
-  int line = 0;                     // in the protocol file
+  std::string name{};  // "gap"; where nothing else is varied, the scene key: "contact.model"
+  std::vector<FactorLevel> levels{};
+  int line = 0;  // in the protocol file
 };
 
 /// One combination of factor levels.
@@ -87,6 +92,14 @@ inline constexpr base::EnumWords<Side, 3> kSideWords{
      {Side::Less, "less", "fewer of them"},
      {Side::TwoSided, "two-sided", "either"}}};
 
+/// How the p values of the cells' primary tests are adjusted for there being several.
+enum class Adjust { None, Holm, Hochberg, BenjaminiHochberg };
+inline constexpr base::EnumWords<Adjust, 4> kAdjustWords{
+    {{Adjust::None, "none", "each cell at alpha by itself"},
+     {Adjust::Holm, "holm", "alpha holds for all cells together"},
+     {Adjust::Hochberg, "hochberg", "the same, where the cells' tests do not depend on each other or rise together"},
+     {Adjust::BenjaminiHochberg, "benjamini-hochberg", "at most alpha of the rejections are expected to be false"}}};
+
 /// What an examinee must do in an interval before it counts.
 struct Exploration {
   int least_presses = 1;
@@ -100,6 +113,7 @@ struct AnalysisPlan {
   PrimaryAnalysis primary = PrimaryAnalysis::PairedComparison;
   double alpha = 0.05;  // in (0, 1)
   Side side = Side::Greater;
+  Adjust adjust = Adjust::None;
   std::optional<std::string> between_models;  // "sign-flip", "wilcoxon"
   std::vector<int> looks{};  // complete examinees at each planned look; empty: at the end only
   std::string spending{};    // of alpha over the looks: "obrien-fleming", "pocock"
@@ -183,5 +197,6 @@ std::string_view to_string(CellOrder order);
 std::string_view to_string(IntervalOrder order);
 std::string_view to_string(PrimaryAnalysis analysis);
 std::string_view to_string(Side side);
+std::string_view to_string(Adjust adjust);
 
 }  // namespace palpate::trials

@@ -84,10 +84,20 @@ constexpr std::array kConditionKeys{
 
 constexpr std::array kFactorsKeys{
     Key{.name = base::kAnyName,
-        .takes = base::takes_other("the levels as an array, such as [\"kuroda\", \"sibille\"]"),
-        .example = "\"bodies.rectum.young_modulus\" = [\"0.5 MPa\", \"1.0 MPa\"]",
+        .takes = base::takes_other("the levels, such as [\"kuroda\", \"sibille\"], or with names: { near = [..], far = "
+                                   "[..] }"),
+        .example = "\"bodies.rectum.young_modulus\" = { \"soft wall\" = \"0.5 MPa\", \"stiff wall\" = "
+                   "\"1.0 MPa\" }",
         .absent = "the scene's own",
-        .meaning = "A key of the scene, in quotes, and the values that it is to have, two or more."},
+        .meaning = "A key of the scene, in quotes, and the values that it is to have: an array, or with names for reports "
+                   "and plots. A factor that changes several keys has a name of its own, and each level is a table "
+                   "of them: `gap = { near = { \"bodies.prostate.offset\" = [..] }, far = { .. } }`."},
+};
+
+constexpr std::array kLevelKeys{
+    Key{.name = base::kAnyName,
+        .takes = base::takes_other("a value that the scene takes there, or a table of scene keys"),
+        .absent = "no such level"},
 };
 
 constexpr std::array kTaskKeys{
@@ -157,18 +167,23 @@ constexpr std::array kAnalysisKeys{
         .takes = base::takes_word(base::words_of<kSideWords>),
         .example = "\"greater\"",
         .meaning = "On which side of chance the test looks."},
+    Key{.name = "adjust",
+        .takes = base::takes_word(base::words_of<kAdjustWords>),
+        .example = "\"holm\"",
+        .fallback = "\"none\"",
+        .meaning = "What the tests of several cells together may do."},
     Key{.name = "between_models",
         .takes = base::takes_word(between_models_words),
         .example = "\"sign-flip\"",
         .absent = "the cells are not compared",
-        .meaning = "Compares two cells, by each examinee's difference of correct answers. For one factor with two "
-                   "levels."},
+        .meaning = "Compares cells, by each examinee's difference of correct answers: two cells, or two factors of two "
+                   "levels each with both main effects and their interaction."},
     Key{.name = "looks",
         .takes = base::takes_other("ascending numbers of examinees such as [5, 10, 15]"),
         .example = "[5, 10, 15]",
         .absent = "one look, at the end",
         .meaning = "Looks at the results on the way, by how many examinees are complete then; the last is at all "
-                   "planned ones. For one-sided tests with coin flips.",
+                   "planned ones. For one-sided tests with coin flips, without `adjust`.",
         .along = "spending = \"obrien-fleming\""},
     Key{.name = "spending",
         .takes = base::takes_word(spending_words),
@@ -204,6 +219,9 @@ std::span<const Key> condition_keys() {
 }
 std::span<const Key> factors_keys() {
   return kFactorsKeys;
+}
+std::span<const Key> level_keys() {
+  return kLevelKeys;
 }
 std::span<const Key> task_keys() {
   return kTaskKeys;

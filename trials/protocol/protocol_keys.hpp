@@ -15,6 +15,7 @@ std::span<const base::Key> protocol_keys();  // of the file's top
 std::span<const base::Key> conditions_keys();
 std::span<const base::Key> condition_keys();
 std::span<const base::Key> factors_keys();
+std::span<const base::Key> level_keys();  // of a factor whose levels have names
 std::span<const base::Key> task_keys();
 std::span<const base::Key> procedure_keys();
 std::span<const base::Key> order_keys();

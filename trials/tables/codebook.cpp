@@ -85,10 +85,24 @@ Column one_of(Column column, const std::string& value, const std::string& meanin
   return column;
 }
 
+std::string in_words(const std::vector<sim::Override>& changes) {
+  std::string words;
+  for (const sim::Override& change : changes)
+    words += fmt::format("{}{} = {}", words.empty() ? "" : ", ", change.key, change.value);
+  return words.empty() ? "the scene unchanged" : plain_text(words);
+}
+
+/// A level without a name of its own says by it what it is.
+std::string in_words(const Factor& factor, const FactorLevel& level) {
+  const bool named = level.overrides.size() != 1 || level.overrides[0].key != factor.name ||
+                     level.overrides[0].value.find(level.name) == std::string::npos;
+  return named ? in_words(level.overrides) : fmt::format("{} = {}", factor.name, plain_text(level.name));
+}
+
 Column of_factor(const Factor& factor) {
-  Column column = text(column_name(factor.key), factor.key, "Level of the factor " + factor.key);
-  for (const std::string& level : factor.levels)
-    column.levels.push_back({plain_text(level), fmt::format("{} = {}", factor.key, plain_text(level))});
+  Column column = text(column_name(factor.name), factor.name, "Level of the factor " + factor.name);
+  for (const FactorLevel& level : factor.levels)
+    column.levels.push_back({plain_text(level.name), in_words(factor, level)});
   return column;
 }
 
@@ -96,10 +110,7 @@ Column of_condition(const Protocol& protocol) {
   Column column = text("condition", "Condition", "What was presented in the interval");
   for (const std::size_t presented : protocol.presented) {
     const Condition& condition = protocol.conditions[presented];
-    std::string changes;
-    for (const sim::Override& change : condition.overrides)
-      changes += fmt::format("{}{} = {}", changes.empty() ? "" : ", ", change.key, change.value);
-    column.levels.push_back({condition.name, changes.empty() ? "the scene unchanged" : changes});
+    column.levels.push_back({condition.name, in_words(condition.overrides)});
   }
   return column;
 }

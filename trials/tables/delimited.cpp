@@ -5,17 +5,11 @@
 #include <algorithm>
 #include <set>
 
+#include "base/text/csv.hpp"
 #include "base/text/utf8.hpp"
 
 namespace palpate::trials {
 namespace {
-
-std::string quoted_where_needed(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
 
 template <class Write>
 std::string delimited(const Table& table, char delimiter, Write write) {
@@ -117,7 +111,7 @@ std::string plain_text(std::string_view text) {
 }
 
 std::string to_csv(const Table& table) {
-  return delimited(table, ',', quoted_where_needed);
+  return delimited(table, ',', base::csv_field);
 }
 
 std::string to_tsv(const Table& table) {

@@ -64,7 +64,7 @@ std::vector<Value> answer_row(const Protocol& design, const AnsweredTrial& answe
                          std::string(design.task->name),
                          std::string(design.procedure->name)};
   for (std::size_t i = 0; i < design.factors.size(); ++i)
-    row.push_back(plain_text(design.factors[i].levels[design.cells[trial.cell].levels[i]]));
+    row.push_back(plain_text(design.factors[i].levels[design.cells[trial.cell].levels[i]].name));
   const std::vector<Value> rest{number(trial.correct_answer),
                                 number(answer.response),
                                 number(answer.correct ? 1 : 0),

@@ -58,4 +58,13 @@ std::vector<double> benjamini_hochberg(std::span<const double> p) {
                  [&](std::size_t i) { return static_cast<double>(p.size()) / static_cast<double>(i + 1); });
 }
 
+std::vector<double> adjusted(std::string_view method, std::span<const double> p) {
+  if (method == "none") return {p.begin(), p.end()};
+  if (method == "holm") return holm(p);
+  if (method == "hochberg") return hochberg(p);
+  if (method == "benjamini-hochberg") return benjamini_hochberg(p);
+  throw std::invalid_argument(fmt::format(
+      "p values are adjusted by '{}'; accepted: holm, hochberg, benjamini-hochberg, none", method));
+}
+
 }  // namespace palpate::analysis

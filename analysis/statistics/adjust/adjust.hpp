@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace palpate::analysis {
@@ -17,5 +18,9 @@ std::vector<double> hochberg(std::span<const double> p);
 /// Keeps the expected share of false ones among the rejections at alpha, for tests that are independent or
 /// positively dependent. Source: [BenjaminiHochberg1995].
 std::vector<double> benjamini_hochberg(std::span<const double> p);
+
+/// By the name that a protocol gives: "holm", "hochberg", "benjamini-hochberg"; "none" leaves them as they
+/// are. Throws std::invalid_argument for another name.
+std::vector<double> adjusted(std::string_view method, std::span<const double> p);
 
 }  // namespace palpate::analysis

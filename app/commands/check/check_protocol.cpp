@@ -35,8 +35,11 @@ void print_regions(const ProtocolCheck& check) {
   if (!regions.critical)
     fmt::print("  critical value  depends on how often either interval is answered; it is in the report\n");
   else if (regions.looks.empty())
-    fmt::print("  critical value  {} (size {:.4f})\n", region_in_words(*regions.critical),
-               regions.critical->size);
+    fmt::print("  critical value  {} (size {:.4f}){}\n", region_in_words(*regions.critical),
+               regions.critical->size, regions.critical_at_best ? ", whatever the other cells give" : "");
+  if (regions.critical_at_best)
+    fmt::print("  critical value  {}, if all other cells reject\n",
+               region_in_words(*regions.critical_at_best));
   for (const analysis::PlannedLook& look : regions.looks)
     fmt::print("  critical value  at {}: {} (size by then {:.4f})\n",
                analysis::counted(look.critical.trials / check.protocol.trials_per_examinee_per_cell,
@@ -86,14 +89,19 @@ void print_text(const ProtocolCheck& check) {
   fmt::print("  question        {}\n", check.protocol.question);
   const trials::Task& task = *check.protocol.task;
   fmt::print("  task            {}, {}\n", task.name, task.question_in_words(check.protocol));
-  fmt::print("  cells           {}\n", fmt::join(plan.cells, ", "));
+  fmt::print("  cells           {}\n",
+             fmt::join(plan.cells, plan.cells.front().find(',') == std::string::npos ? ", " : "; "));
   fmt::print("  trials          {} an examinee, {} planned: {} in each cell\n", plan.trials_per_session,
              analysis::counted(plan.planned_examinees, "examinee", "examinees"), plan.trials_per_cell);
   fmt::print("{}", analysis::wrapped(plan.order, "  order           ", "                  "));
   fmt::print("  predictability  the best rule that feels nothing is right in {:.0f} % of trials\n",
              100 * plan.best_guess);
-  fmt::print("  primary test    {}, {}, alpha {}\n", to_string(check.protocol.analysis.primary),
-             to_string(check.protocol.analysis.side), check.protocol.analysis.alpha);
+  const trials::AnalysisPlan& analysis = check.protocol.analysis;
+  fmt::print("  primary test    {}, {}, alpha {}{}\n", to_string(analysis.primary), to_string(analysis.side),
+             analysis.alpha,
+             analysis.adjust == trials::Adjust::None
+                 ? ""
+                 : fmt::format(", p adjusted over the cells: {}", to_string(analysis.adjust)));
   print_regions(check);
   fmt::print("  power           {:.4f} when {:.0f} % of answers are correct ({})\n", check.power.power,
              100 * check.power.probability,

@@ -25,6 +25,7 @@ struct DemoOptions {
   std::string out = "palpate-demo";
   int examinees = 15;
   trials::Seed seed{};
+  bool full = false;
 };
 
 /// `wanted`, or `wanted`-2, -3, ...: the first folder that is not there yet, so that no study is written
@@ -58,7 +59,7 @@ void run_demo(const DemoOptions& options) {
                                                           .written_utc = base::utc_now(),
                                                           .receipt = trials::to_string(result.receipt)});
   base::write_atomically(page, analysis::html_report(report));
-  fmt::print("{}\n", analysis::text_report(report));
+  fmt::print("{}\n", brief(options.full) ? analysis::brief_report(report) : analysis::text_report(report));
   fmt::print("study    {}\nreport   {} (open it in a browser)\nreceipt  {}\n", study.string(), page.string(),
              trials::to_string(result.receipt));
 }
@@ -74,6 +75,7 @@ void add_demo(CLI::App& command) {
       ->capture_default_str();
   add_seed(command, "Makes orders and answers repeatable; else the system's entropy",
            [options](std::uint64_t seed) { options->seed = seed; });
+  add_full(command, options->full);
   command.footer("Example:\n  palpate demo --seed 1\nNo person takes part; every page says so.");
   command.callback([options] { run_demo(*options); });
 }

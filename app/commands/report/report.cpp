@@ -28,7 +28,7 @@ namespace {
 
 struct ReportArguments {
   std::string study, run_mode, out, format;
-  bool interim = false;
+  bool interim = false, full = false;
 };
 
 // A look stays in the study for good, so whatever would keep its page from being written must fail before.
@@ -40,9 +40,14 @@ void check_folder_of(const std::filesystem::path& page) {
   if (std::filesystem::is_directory(page)) base::throw_cannot(EISDIR, "replace", page);
 }
 
-std::string printed(const analysis::StudyReport& report, const std::string& format) {
-  if (format != "json") return analysis::text_report(report);
-  return json_text(analysis::json_report(report)) + "\n";
+/// On a terminal a screenful, and where the rest is.
+std::string printed(const analysis::StudyReport& report, const ReportArguments& options) {
+  if (options.format == "json") return json_text(analysis::json_report(report)) + "\n";
+  if (!brief(options.full)) return analysis::text_report(report);
+  return analysis::brief_report(report) +
+         (options.out.empty()
+              ? std::string("\nAll of it: --full prints it, --out report.html writes the page.\n")
+              : fmt::format("\nAll of it: {} (open it in a browser), or --full.\n", options.out));
 }
 
 // A report never takes the place of something that is none.
@@ -69,7 +74,7 @@ void run_report(const ReportArguments& options) {
   asked.receipt = trials::to_string(study.receipt());
   const analysis::StudyTable table = read_study_table(study);
   const analysis::StudyReport report = analysis::analyse(table, asked);
-  const std::string text = printed(report, options.format);
+  const std::string text = printed(report, options);
   const std::string page = options.out.empty() ? "" : analysis::html_report(report);
   if (!options.out.empty()) check_folder_of(options.out);
   // A look is written into the study before it is shown, so that none stays unknown.
@@ -92,6 +97,7 @@ void add_report(CLI::App& command) {
       "--interim", options->interim,
       "Show results though the planned sample is not complete; the look is logged in the study file");
   command.add_option("--out", options->out, "Also write the report as one self-contained HTML page");
+  add_full(command, options->full);
   add_format(command, options->format);
   command.footer(
       "The protocol names the primary test; all others are labelled as secondary. Before the planned\n"

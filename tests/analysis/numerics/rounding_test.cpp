@@ -7,7 +7,6 @@
 #include <random>
 #include <set>
 
-#include "analysis/numerics/examinee_count.hpp"
 #include "analysis/statistics/sign/sign_test.hpp"
 #include "analysis/statistics/wilcoxon/signed_rank.hpp"
 #include "tests/analysis/support/ask.hpp"
@@ -52,32 +51,6 @@ TEST(Rounding, LeavesApartWhatIsApart) {
   EXPECT_EQ(settled_differences(std::vector<double>{-0.1, 0.3 - 0.2})[0],
             -settled_differences(std::vector<double>{-0.1, 0.3 - 0.2})[1]);
   EXPECT_EQ(settled_differences(std::vector<double>{0, 0}), (std::vector<double>{0, 0}));
-}
-
-// Equal fractions of whatever numbers of trials, told by cross products.
-TEST(ProportionDifference, IsOneNumberForOneFraction) {
-  std::mt19937_64 random(4);
-  std::uniform_int_distribution<long> trials(1, 60);
-  const auto draw = [&] {
-    const long n = trials(random);
-    return ExamineeCount{.correct = std::uniform_int_distribution<long>(0, n)(random), .trials = n};
-  };
-  int equal = 0;
-  std::vector<std::array<long, 2>> fractions;
-  std::vector<double> numbers;
-  for (int i = 0; i < 1000; ++i) {
-    const ExamineeCount a = draw(), b = draw();
-    fractions.push_back({a.correct * b.trials - b.correct * a.trials, a.trials * b.trials});
-    numbers.push_back(proportion_difference(a, b));
-  }
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const bool same = fractions[i][0] * fractions[j][1] == fractions[j][0] * fractions[i][1];
-      ASSERT_EQ(numbers[i] == numbers[j], same) << i << ' ' << j;
-      equal += same;
-    }
-  }
-  EXPECT_GT(equal, 100);
 }
 
 TEST(Rounding, MakesNoTOfEqualDifferences) {

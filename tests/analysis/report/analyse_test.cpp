@@ -267,7 +267,7 @@ TEST(Analyse, TellsThePlanAndWhatDeviatesFromIt) {
   EXPECT_TRUE(without.deviations.empty());
   table.frozen_plans = {{.sha256 = "abc", .frozen_utc = "2003-12-01T08:00:00Z", .software_version = "0.1.0"}};
   EXPECT_THAT(analyse(table).plan,
-              Contains(HasSubstr("frozen in the study file on 2003-12-01T08:00:00Z (SHA-256 abc).")));
+              Contains(HasSubstr("frozen in the study file on 2003-12-01 08:00:00 UTC (SHA-256 abc).")));
   table.frozen_plans[0].frozen_utc = "2003-12-04T08:00:00Z";
   EXPECT_THAT(analyse(table).plan, Contains(HasSubstr("after the first of these sessions had begun")));
 

@@ -80,8 +80,9 @@ TEST(Looks, AreHeldAgainstTheRunModeThatWasLookedAt) {
   table.looks.push_back(
       {.run_mode = "study", .utc = "2003-12-02T08:00:00Z", .text = "run mode study, 9 of 15"});
   EXPECT_THAT(analyse(table).deviations, Contains(HasSubstr("looked at once before")));
-  EXPECT_THAT(analyse(table).limits, Contains("The results were looked at before the planned sample was "
-                                              "complete, on 2003-12-02T08:00:00Z: run mode study, 9 of 15."));
+  EXPECT_THAT(analyse(table).limits,
+              Contains("The results were looked at before the planned sample was "
+                       "complete, on 2003-12-02 08:00:00 UTC: run mode study, 9 of 15."));
 }
 
 TEST(Looks, ThatWerePlannedSayWhenTheyWereFirstTaken) {
@@ -93,12 +94,12 @@ TEST(Looks, ThatWerePlannedSayWhenTheyWereFirstTaken) {
       {.run_mode = "pilot", .planned = 2, .utc = "2003-12-01T08:00:00Z"}};
   const StudyReport again = analyse(table, {.written_utc = "2003-12-09T08:00:00Z"});
   EXPECT_TRUE(again.deviations.empty());
-  EXPECT_THAT(again.banners, Contains(HasSubstr("It was first taken on 2003-12-07T08:00:00Z.")));
-  EXPECT_THAT(again.plan, Contains("Planned look 1 of 3 was first taken on 2003-12-04T08:00:00Z."));
-  EXPECT_THAT(again.plan, Contains("Planned look 2 of 3 was first taken on 2003-12-07T08:00:00Z."));
+  EXPECT_THAT(again.banners, Contains(HasSubstr("It was first taken on 2003-12-07 08:00:00 UTC.")));
+  EXPECT_THAT(again.plan, Contains("Planned look 1 of 3 was first taken on 2003-12-04 08:00:00 UTC."));
+  EXPECT_THAT(again.plan, Contains("Planned look 2 of 3 was first taken on 2003-12-07 08:00:00 UTC."));
   table.looks.clear();
   const StudyReport now = analyse(table, {.written_utc = "2003-12-09T08:00:00Z"});
-  EXPECT_THAT(now.banners, Contains(HasSubstr("It was first taken on 2003-12-09T08:00:00Z.")));
+  EXPECT_THAT(now.banners, Contains(HasSubstr("It was first taken on 2003-12-09 08:00:00 UTC.")));
 }
 
 TEST(Looks, OneSidedPSaysSo) {

@@ -21,10 +21,11 @@ TEST(Analyse, TellsThePlanOfEveryPart) {
                         {.part = 1, .sha256 = "def", .frozen_utc = "2003-12-04T08:00:00Z"}};
   const StudyReport report = analyse(table);
   EXPECT_THAT(report.plan, Contains("The analysis plan was frozen in the study file a.db on "
-                                    "2003-12-01T08:00:00Z (SHA-256 abc)."));
-  EXPECT_THAT(report.plan,
-              Contains("The analysis plan was frozen in the study file b.db on 2003-12-04T08:00:00Z (SHA-256 "
-                       "def), after the first of these sessions had begun."));
+                                    "2003-12-01 08:00:00 UTC (SHA-256 abc)."));
+  EXPECT_THAT(
+      report.plan,
+      Contains("The analysis plan was frozen in the study file b.db on 2003-12-04 08:00:00 UTC (SHA-256 "
+               "def), after the first of these sessions had begun."));
   EXPECT_THAT(report.plan, Contains("No analysis plan was frozen in the study file c.db."));
   EXPECT_THAT(report.deviations, Contains("The parts froze analysis plans that are not the same."));
 }

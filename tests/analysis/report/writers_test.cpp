@@ -1,6 +1,8 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -64,6 +66,15 @@ TEST(TextReport, IsAsItWasReviewed) {
   std::ostringstream expected;
   expected << std::ifstream(golden).rdbuf();
   EXPECT_EQ(text, expected.str());
+}
+
+// What a terminal gets by itself.
+TEST(TextReport, InShortIsAScreenful) {
+  for (const StudyReport& report : reports_of_all_kinds()) {
+    const std::string text = brief_report(report);
+    EXPECT_LE(std::ranges::count(text, '\n'), 40) << text;
+    EXPECT_THAT(text, HasSubstr(report.withheld ? "Results are withheld" : "verdict"));
+  }
 }
 
 TEST(TextReport, LetsNoNameSteerTheTerminal) {
@@ -149,6 +160,30 @@ TEST(HtmlReport, StandsAloneAndEscapesWhatComesFromFiles) {
     // no number that is none slipped into a picture or a table
     EXPECT_FALSE(std::regex_search(html, std::regex("[=\"> ML]-?(nan|inf)[ \"<LZ%]")));
   }
+}
+
+TEST(HtmlReport, FoldsWhatFewRead) {
+  const std::string html = html_report(analyse(paper_with_everything(), kOptions));
+  EXPECT_THAT(html, HasSubstr("<details><summary>Sessions (15 rows)</summary>"));
+  EXPECT_THAT(html, HasSubstr("15 sessions, of which 15 are finished, begun on 2003-12-03 09:30:00 UTC."));
+  EXPECT_LT(html.find("<caption>Verdict</caption>"), html.find("completed the study"));
+}
+
+// Tables of many rows stand in the page as compressed CSV files.
+TEST(HtmlReport, OfManyExamineesStaysSmall) {
+  std::vector<std::vector<int>> correct;
+  for (int i = 0; i < 12'500; ++i) correct.push_back({i % 5, (i * i) % 5});
+  StudyTable table = test::study_table(correct);
+  for (std::size_t i = 0; i < table.sessions.size(); ++i) {  // a sitting every seven minutes and some
+    const std::size_t s = 437 * i;
+    table.sessions[i].started_utc =
+        fmt::format("2026-{:02}-{:02}T{:02}:{:02}:{:02}.{:03}Z", 1 + s / 86400 / 28, 1 + s / 86400 % 28,
+                    s / 3600 % 24, s / 60 % 60, s % 60, i * 7 % 1000);
+  }
+  const std::string html = html_report(analyse(table, kOptions));
+  EXPECT_LT(html.size(), 500'000u);
+  EXPECT_THAT(html, HasSubstr("download=\"sessions.csv.gz\" href=\"data:application/gzip;base64,"));
+  EXPECT_THAT(html, HasSubstr("download=\"examinees.csv.gz\""));
 }
 
 TEST(HtmlReport, IsWellFormed) {
