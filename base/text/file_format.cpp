@@ -35,7 +35,8 @@ bool is_section(const Key& key) {
 /// "depth = \"5 mm\""
 std::string line_of(const Key& key, const ShownTable& shown) {
   const auto other = shown.examples.find(key.name);
-  const std::string_view value = other == shown.examples.end() ? key.example : std::string_view(other->second);
+  const std::string_view value =
+      other == shown.examples.end() ? key.example : std::string_view(other->second);
   return key.name == kAnyName ? std::string(value) : fmt::format("{} = {}", key.name, value);
 }
 
@@ -76,9 +77,9 @@ std::string shown_text(const TableFormat& table, const ShownTable& shown, bool f
 std::string heading(const TableFormat& table) {
   if (table.path.empty()) return "The top of the file";
   if (table.called.empty()) return fmt::format("`[{}]`", table.path);
-  return fmt::format("`[{}]`, {}", table.path,
-                     table.called.find('=') == std::string::npos ? table.called
-                                                                 : fmt::format("`{}`", table.called));
+  return fmt::format(
+      "`[{}]`, {}", table.path,
+      table.called.find('=') == std::string::npos ? table.called : fmt::format("`{}`", table.called));
 }
 
 std::string value_in_words(const Key& key) {
@@ -98,7 +99,8 @@ std::string value_in_words(const Key& key) {
     }
     case Takes::Kind::Quantity:
       return fmt::format("{}{} ({})", in_words(takes.dimension),
-                         bounds_in_words(takes.bounds, si_unit(takes.dimension)), unit_names(takes.dimension));
+                         bounds_in_words(takes.bounds, si_unit(takes.dimension)),
+                         unit_names(takes.dimension));
     case Takes::Kind::Quantities:
       return fmt::format("three {}s ({})", in_words(takes.dimension), unit_names(takes.dimension));
     default:
@@ -128,8 +130,8 @@ std::string row(const Key& key, const ShownTable& shown) {
   const bool any = key.name == kAnyName;
   return fmt::format("| {} | {} | {} | {} | {}`{}` |\n",
                      any ? "`\"KEY OF THE SCENE\"`" : fmt::format("`{}`", key.name), value_in_words(key),
-                     absence(key), key.meaning,
-                     key.along.empty() ? "" : fmt::format("`{}`<br>", key.along), line_of(key, shown));
+                     absence(key), key.meaning, key.along.empty() ? "" : fmt::format("`{}`<br>", key.along),
+                     line_of(key, shown));
 }
 
 std::string section(const TableFormat& table) {

@@ -48,7 +48,8 @@ std::string accepted(const Key& key) {
     case Takes::Kind::Numbers:
       return "three numbers" + such_as(key);
     case Takes::Kind::Quantity:
-      return fmt::format("a quantity{}{}", bounds_in_words(takes.bounds, si_unit(takes.dimension)), such_as(key));
+      return fmt::format("a quantity{}{}", bounds_in_words(takes.bounds, si_unit(takes.dimension)),
+                         such_as(key));
     case Takes::Kind::Quantities:
       return "three quantities" + such_as(key);
     case Takes::Kind::Table:

@@ -99,8 +99,8 @@ struct Key {
   Takes takes{};
   std::string_view example{};   // its value as TOML: "\"5 mm\""; of kAnyName a whole line
   std::string_view fallback{};  // the value as TOML that stands where the key is left out
-  std::string_view absent{};    // what leaving it out means, where no value says that: "the whole free surface"
-  std::string_view meaning{};   // one or two sentences
+  std::string_view absent{};  // what leaving it out means, where no value says that: "the whole free surface"
+  std::string_view meaning{};  // one or two sentences
 
   // For the example file and the reference.
   std::string_view along{};       // lines that the example needs beside it: "kind = \"pad\""

@@ -157,8 +157,8 @@ std::string TomlReader::word(std::string_view key) {
   const Words words = description(key).takes.words();
   if (std::ranges::find(words.now, word, &Word::word) != words.now.end()) return word;
   const bool later = std::ranges::find(words.later, word) != words.later.end();
-  refuse(key, fmt::format("found \"{}\"{}, accepted: {}", word,
-                          later ? ", which is not in this version" : "", accepted(words)));
+  refuse(key, fmt::format("found \"{}\"{}, accepted: {}", word, later ? ", which is not in this version" : "",
+                          accepted(words)));
 }
 
 bool TomlReader::boolean(std::string_view key) {
@@ -231,8 +231,7 @@ double TomlReader::quantity(std::string_view key) {
 
 Triple TomlReader::three_quantities(std::string_view key) {
   const toml::array& items = as_array(key, value(key, Takes::Kind::Quantities));
-  if (items.size() != 3)
-    refuse(key, fmt::format("has {} entries, accepted: three quantities", items.size()));
+  if (items.size() != 3) refuse(key, fmt::format("has {} entries, accepted: three quantities", items.size()));
   Triple value{};
   for (std::size_t i = 0; i < 3; ++i) value[i] = as_quantity(description(key), key, items[i]);
   return value;

@@ -33,8 +33,8 @@ std::span<const ProbeKindKeys> probe_kind_keys();
 
 /// A key that calls for an effect.
 struct EffectKey {
-  std::string_view table{};  // "bodies" (of each body) or "contact"
-  base::Key key{};           // of a key that this version refuses, the name alone
+  std::string_view table{};      // "bodies" (of each body) or "contact"
+  base::Key key{};               // of a key that this version refuses, the name alone
   std::string_view calls_for{};  // "viscosity"
   /// The numbers that the key's value stands for; refuses as TomlReader does. Null: this version does not
   /// simulate what the key calls for, and refuses it.

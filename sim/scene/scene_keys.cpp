@@ -17,7 +17,8 @@ base::Words units_of_length() {
   return {.now = {{"m"}, {"cm"}, {"mm"}, {"um"}}, .later = {}};
 }
 
-constexpr std::string_view kSelection = "a group's name, node numbers, or a box { lower = [...], upper = [...] }";
+constexpr std::string_view kSelection =
+    "a group's name, node numbers, or a box { lower = [...], upper = [...] }";
 
 constexpr std::array kSceneKeys{
     Key{.name = "name",
@@ -25,7 +26,9 @@ constexpr std::array kSceneKeys{
         .example = "\"rectal palpation\"",
         .meaning = "What the scene is called in results."},
     Key{.name = "bodies", .takes = base::takes_table("one table [bodies.NAME] a body")},
-    Key{.name = "contact", .takes = base::takes_table("a table [contact]"), .absent = "no body touches another"},
+    Key{.name = "contact",
+        .takes = base::takes_table("a table [contact]"),
+        .absent = "no body touches another"},
     Key{.name = "probes", .takes = base::takes_table("one table [probes.NAME] a probe")},
 };
 
@@ -39,8 +42,9 @@ constexpr std::array kBodyKeys{
     Key{.name = "mesh",
         .takes = base::kText,
         .example = "\"meshes/prostate.msh\"",
-        .meaning = "The mesh file, seen from this file: tetrahedra, as Gmsh MSH 2.2 or 4.1 or VTU. Where Gmsh is "
-                   "installed, what it reads, too."},
+        .meaning =
+            "The mesh file, seen from this file: tetrahedra, as Gmsh MSH 2.2 or 4.1 or VTU. Where Gmsh is "
+            "installed, what it reads, too."},
     Key{.name = "length_unit",
         .takes = base::takes_word(units_of_length),
         .example = "\"m\"",
@@ -54,14 +58,16 @@ constexpr std::array kBodyKeys{
     Key{.name = "fixed",
         .takes = base::takes_other(kSelection),
         .example = "\"fixed\"",
-        .meaning = "The nodes that cannot move: a named group of the mesh, node numbers as in the mesh file, or "
-                   "all nodes within a box. Without enough of them the body would float away, which is refused."},
+        .meaning =
+            "The nodes that cannot move: a named group of the mesh, node numbers as in the mesh file, or "
+            "all nodes within a box. Without enough of them the body would float away, which is refused."},
     Key{.name = "touchable",
         .takes = base::takes_other(kSelection),
         .example = "\"contact\"",
         .absent = "the whole free surface",
-        .meaning = "The part of the surface that may touch other bodies, named in the same ways as `fixed`. The "
-                   "smaller it is, the faster is a cycle.",
+        .meaning =
+            "The part of the surface that may touch other bodies, named in the same ways as `fixed`. The "
+            "smaller it is, the faster is a cycle.",
         .in_use = true},
     Key{.name = "present",
         .takes = base::kBoolean,
@@ -218,33 +224,36 @@ std::span<const Key> tables_by_name() {
 }
 
 base::FileFormat scene_format() {
-  return {.name = "scene",
-          .introduction = kIntroduction,
-          .tables =
-              {{.path = "", .keys = {kSceneKeys.begin(), kSceneKeys.end()}, .shown = {{}}},
-               {.path = "bodies.NAME",
-                .meaning = "A body: one elastic object. Its name is free, and is what other entries call it by.",
-                .keys = with_effects(kBodyKeys, "bodies"),
-                .shown = {{.path = "bodies.prostate"},
-                          {.path = "bodies.rectum", .examples = {{"mesh", "\"meshes/rectum.msh\""}}}}},
-               {.path = "bodies.NAME.regions.GROUP",
-                .meaning = "A part of a body of another material, such as a nodule: a volume group of the mesh, by "
-                           "its name there.",
-                .keys = {kRegionKeys.begin(), kRegionKeys.end()}},
-               {.path = "bodies.NAME.fixed",
-                .called = "a box",
-                .meaning = "`fixed` and `touchable` as a box: `fixed = { lower = [...], upper = [...] }`.",
-                .keys = {kBoxKeys.begin(), kBoxKeys.end()}},
-               {.path = "contact",
-                .meaning = "What happens where bodies touch. Without this table no body touches another.",
-                .keys = with_effects(kContactKeys, "contact"),
-                .shown = {{.path = "contact"}}},
-               {.path = "probes.NAME",
-                .meaning = "What presses. The first probe is the finger: its force is what `palpate press` reports and an "
-                           "examinee feels.",
-                .keys = {kProbeKeys.begin(), kProbeKeys.end()},
-                .shown = {{.path = "probes.finger"}}}},
-          .later = later_keys()};
+  return {
+      .name = "scene",
+      .introduction = kIntroduction,
+      .tables =
+          {{.path = "", .keys = {kSceneKeys.begin(), kSceneKeys.end()}, .shown = {{}}},
+           {.path = "bodies.NAME",
+            .meaning = "A body: one elastic object. Its name is free, and is what other entries call it by.",
+            .keys = with_effects(kBodyKeys, "bodies"),
+            .shown = {{.path = "bodies.prostate"},
+                      {.path = "bodies.rectum", .examples = {{"mesh", "\"meshes/rectum.msh\""}}}}},
+           {.path = "bodies.NAME.regions.GROUP",
+            .meaning =
+                "A part of a body of another material, such as a nodule: a volume group of the mesh, by "
+                "its name there.",
+            .keys = {kRegionKeys.begin(), kRegionKeys.end()}},
+           {.path = "bodies.NAME.fixed",
+            .called = "a box",
+            .meaning = "`fixed` and `touchable` as a box: `fixed = { lower = [...], upper = [...] }`.",
+            .keys = {kBoxKeys.begin(), kBoxKeys.end()}},
+           {.path = "contact",
+            .meaning = "What happens where bodies touch. Without this table no body touches another.",
+            .keys = with_effects(kContactKeys, "contact"),
+            .shown = {{.path = "contact"}}},
+           {.path = "probes.NAME",
+            .meaning =
+                "What presses. The first probe is the finger: its force is what `palpate press` reports and an "
+                "examinee feels.",
+            .keys = {kProbeKeys.begin(), kProbeKeys.end()},
+            .shown = {{.path = "probes.finger"}}}},
+      .later = later_keys()};
 }
 
 }  // namespace palpate::sim

@@ -27,8 +27,9 @@ constexpr trials::Task kTwoInterval{
     .answer_is = "the number of an interval",
     .hint = "Press 1 or 2, the arrow keys ← →, or click.",
     .spoken_hint = "Press 1 for the first interval, 2 for the second.",
-    .meaning = "two-interval forced choice: two conditions, one after the other; which interval held the one asked "
-               "for?",
+    .meaning =
+        "two-interval forced choice: two conditions, one after the other; which interval held the one asked "
+        "for?",
     .keys = two_interval::kKeys,
     .order_keys = two_interval::kOrderKeys,
     .read = two_interval::read,

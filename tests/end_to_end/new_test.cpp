@@ -132,9 +132,8 @@ TEST_F(New, MeshesComeFromWhereTheDataOfTheProgramIs) {
 
 // Made by `palpate new --reference scene > docs/scene.md`, and so on.
 TEST(Reference, ThePagesOfTheFilesAreUpToDate) {
-  for (const auto& [name, page] : {std::pair{"scene", "scene.md"},
-                                   {"protocol", "protocol.md"},
-                                   {"observer", "observers.md"}})
+  for (const auto& [name, page] :
+       {std::pair{"scene", "scene.md"}, {"protocol", "protocol.md"}, {"observer", "observers.md"}})
     EXPECT_EQ(run({"new", "--reference", name}).out, text_of(source_folder() + "/docs/" + page))
         << "palpate new --reference " << name << " > docs/" << page;
 }
@@ -155,8 +154,13 @@ TEST_F(New, TheWholeFilesOfTheReferenceAreAccepted) {
   EXPECT_EQ(run({"check", study + "/scene.toml"}).exit_code, 0);
   const Outcome checked = run({"check", study + "/protocol.toml"});
   EXPECT_EQ(checked.exit_code, 0) << checked.err;
-  const Outcome played = run({"simulate", study + "/protocol.toml", "--study", in_folder("s.db"), "--examinees",
-                              "1", "--observer", study + "/observer.toml"});
+  const Outcome observer = run({"check", study + "/observer.toml"});
+  EXPECT_EQ(observer.exit_code, 0) << observer.err;
+  EXPECT_THAT(observer.out,
+              HasSubstr("my-observers: sound simulated examinees, right in 75 % where stiffness "
+                        "differs by 23 %"));
+  const Outcome played = run({"simulate", study + "/protocol.toml", "--study", in_folder("s.db"),
+                              "--examinees", "1", "--observer", study + "/observer.toml"});
   EXPECT_EQ(played.exit_code, 0) << played.err;
 }
 

@@ -77,8 +77,9 @@ constexpr std::array kDeviceKeys{
     Key{.name = "max_force",
         .takes = positive(Dimension::Force),
         .example = "\"8.5 N\"",
-        .meaning = "The largest force that the device gives; more is cut. Conditions that this makes alike are "
-                   "refused."},
+        .meaning =
+            "The largest force that the device gives; more is cut. Conditions that this makes alike are "
+            "refused."},
 };
 
 constexpr std::array kSensesKeys{
@@ -93,8 +94,9 @@ constexpr std::array kSensesKeys{
     Key{.name = "weber_fraction",
         .takes = base::takes_number({.least = 1e-6, .most = 10.0}),
         .example = "0.23",
-        .meaning = "The relative difference of stiffness at which 75 % of two-interval answers are correct. This is "
-                   "what limits an observer."},
+        .meaning =
+            "The relative difference of stiffness at which 75 % of two-interval answers are correct. This is "
+            "what limits an observer."},
     Key{.name = "weber_fraction_between_examinees",
         .takes = base::takes_number({.least = 0.0, .most = 10.0}),
         .example = "0.05",
@@ -109,8 +111,9 @@ constexpr std::array kDecisionKeys{
     Key{.name = "interval_bias",
         .takes = base::takes_number({.least = -10.0, .most = 10.0}),
         .example = "0.0",
-        .meaning = "How much the second interval is favoured, in standard deviations of the felt difference; below "
-                   "0 the first."},
+        .meaning =
+            "How much the second interval is favoured, in standard deviations of the felt difference; below "
+            "0 the first."},
     Key{.name = "interval_bias_between_examinees",
         .takes = base::takes_number({.least = 0.0, .most = 10.0}),
         .example = "0.1",

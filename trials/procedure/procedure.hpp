@@ -50,7 +50,7 @@ struct Procedure {
   std::span<const base::Key> keys{};
   /// [procedure], all but kind. What is refused throws std::invalid_argument.
   void (*read)(base::TomlReader& procedure, Protocol& protocol);
-  std::string_view meaning;                                 // in codebook and reference: how levels are chosen
+  std::string_view meaning;  // in codebook and reference: how levels are chosen
   std::string (*order_in_words)(const Protocol& protocol);  // in which the cells are asked, a sentence
 
   /// The levels that are asked whatever is answered, in order; may be none. Which they are, and how often each,

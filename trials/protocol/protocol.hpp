@@ -57,7 +57,8 @@ struct FileHash {
 
 enum class DuringInterval { Hidden, Probe, Organs };
 inline constexpr base::EnumWords<DuringInterval, 3> kDuringIntervalWords{
-    {{DuringInterval::Hidden, "hidden", "nothing of the organs; with a mouse its pointer and the line of the skin"},
+    {{DuringInterval::Hidden, "hidden",
+      "nothing of the organs; with a mouse its pointer and the line of the skin"},
      {DuringInterval::Probe, "probe", "the probe alone"},
      {DuringInterval::Organs, "organs", "the organs, as they are pressed"}}};
 
@@ -77,11 +78,13 @@ inline constexpr base::EnumWords<CellOrder, 1> kCellOrderWords{
 enum class IntervalOrder { Coin, Balanced };
 inline constexpr base::EnumWords<IntervalOrder, 2> kIntervalOrderWords{
     {{IntervalOrder::Coin, "coin", "an independent fair coin for each trial"},
-     {IntervalOrder::Balanced, "balanced", "either order in half of each cell's trials, whose number is even"}}};
+     {IntervalOrder::Balanced, "balanced",
+      "either order in half of each cell's trials, whose number is even"}}};
 
 enum class PrimaryAnalysis { PairedComparison, OrderRandomisation };
 inline constexpr base::EnumWords<PrimaryAnalysis, 2> kPrimaryAnalysisWords{
-    {{PrimaryAnalysis::PairedComparison, "paired-comparison", "the exact binomial test, for `interval = \"coin\"`"},
+    {{PrimaryAnalysis::PairedComparison, "paired-comparison",
+      "the exact binomial test, for `interval = \"coin\"`"},
      {PrimaryAnalysis::OrderRandomisation, "order-randomisation",
       "the randomisation test over the orders that could have been drawn, for `interval = \"balanced\"`"}}};
 
@@ -97,8 +100,10 @@ enum class Adjust { None, Holm, Hochberg, BenjaminiHochberg };
 inline constexpr base::EnumWords<Adjust, 4> kAdjustWords{
     {{Adjust::None, "none", "each cell at alpha by itself"},
      {Adjust::Holm, "holm", "alpha holds for all cells together"},
-     {Adjust::Hochberg, "hochberg", "the same, where the cells' tests do not depend on each other or rise together"},
-     {Adjust::BenjaminiHochberg, "benjamini-hochberg", "at most alpha of the rejections are expected to be false"}}};
+     {Adjust::Hochberg, "hochberg",
+      "the same, where the cells' tests do not depend on each other or rise together"},
+     {Adjust::BenjaminiHochberg, "benjamini-hochberg",
+      "at most alpha of the rejections are expected to be false"}}};
 
 /// What an examinee must do in an interval before it counts.
 struct Exploration {

@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, 30> kLaterProcedureKeys{
     "next",     "function", "parameters", "prior",   "lapse",       "task"};
 constexpr std::array<std::string_view, 7> kLaterTasks{
     "2AFC", "yes/no", "same-different", "ABX", "oddity", "magnitude estimation", "rating"};
-constexpr std::array<std::string_view, 7> kLaterProcedures{"staircase", "weighted", "pest", "quest",
+constexpr std::array<std::string_view, 7> kLaterProcedures{"staircase", "weighted",  "pest", "quest",
                                                            "QUEST+",    "questplus", "psi"};
 constexpr std::array<std::string_view, 4> kLaterAnswers{"roughest", "smoothest", "largest", "smallest"};
 constexpr std::array<std::string_view, 2> kLaterCellOrders{"blocked", "balanced"};
@@ -58,9 +58,7 @@ constexpr std::array kProtocolKeys{
         .example = "\"In which interval did it feel harder?\"",
         .meaning = "What the examinee is asked after the last interval. It names no condition and no model."},
     Key{.name = "conditions", .takes = base::takes_table("one table [conditions.NAME] a condition")},
-    Key{.name = "factors",
-        .takes = base::takes_table("a table [factors]"),
-        .absent = "one cell, called all"},
+    Key{.name = "factors", .takes = base::takes_table("a table [factors]"), .absent = "one cell, called all"},
     Key{.name = "task", .takes = base::takes_table("a table [task]")},
     Key{.name = "procedure", .takes = base::takes_table("a table [procedure]")},
     Key{.name = "order", .takes = base::takes_table("a table [order]")},
@@ -84,14 +82,16 @@ constexpr std::array kConditionKeys{
 
 constexpr std::array kFactorsKeys{
     Key{.name = base::kAnyName,
-        .takes = base::takes_other("the levels, such as [\"kuroda\", \"sibille\"], or with names: { near = [..], far = "
-                                   "[..] }"),
+        .takes = base::takes_other(
+            "the levels, such as [\"kuroda\", \"sibille\"], or with names: { near = [..], far = "
+            "[..] }"),
         .example = "\"bodies.rectum.young_modulus\" = { \"soft wall\" = \"0.5 MPa\", \"stiff wall\" = "
                    "\"1.0 MPa\" }",
         .absent = "the scene's own",
-        .meaning = "A key of the scene, in quotes, and the values that it is to have: an array, or with names for reports "
-                   "and plots. A factor that changes several keys has a name of its own, and each level is a table "
-                   "of them: `gap = { near = { \"bodies.prostate.offset\" = [..] }, far = { .. } }`."},
+        .meaning =
+            "A key of the scene, in quotes, and the values that it is to have: an array, or with names for reports "
+            "and plots. A factor that changes several keys has a name of its own, and each level is a table "
+            "of them: `gap = { near = { \"bodies.prostate.offset\" = [..] }, far = { .. } }`."},
 };
 
 constexpr std::array kLevelKeys{
@@ -106,14 +106,13 @@ constexpr std::array kTaskKeys{
         .takes = base::takes_word(base::words_of<kAnswerWords, kLaterAnswers>),
         .example = "\"stiffest\"",
         .absent = "as the conditions tell, where they differ in stiffness",
-        .meaning = "What the question asks for. Simulated examinees answer it; it must be what makes the correct "
-                   "answer correct."},
+        .meaning =
+            "What the question asks for. Simulated examinees answer it; it must be what makes the correct "
+            "answer correct."},
 };
 
 constexpr std::array kProcedureKeys{
-    Key{.name = "kind",
-        .takes = base::takes_word(procedure_words),
-        .meaning = "How the trials are chosen."},
+    Key{.name = "kind", .takes = base::takes_word(procedure_words), .meaning = "How the trials are chosen."},
 };
 
 constexpr std::array kOrderKeys{
@@ -131,8 +130,9 @@ constexpr std::array kExplorationKeys{
     Key{.name = "min_depth",
         .takes = base::takes_quantity(Dimension::Length, base::kNotNegative),
         .example = "\"3 mm\"",
-        .meaning = "How deep a press must go at least once in every interval; else the question is shown again. No "
-                   "deeper than the probe's `depth` in the scene."},
+        .meaning =
+            "How deep a press must go at least once in every interval; else the question is shown again. No "
+            "deeper than the probe's `depth` in the scene."},
     Key{.name = "max_time",
         .takes = base::takes_quantity(Dimension::Time, {.least = kLeastTime}),
         .example = "\"10 s\"",
@@ -150,8 +150,9 @@ constexpr std::array kSampleKeys{
     Key{.name = "planned_examinees",
         .takes = base::takes_whole(1, kMostExaminees),
         .example = "15",
-        .meaning = "How many people are to take part. Before so many are complete the report shows no test. `palpate "
-                   "plan` says how many are enough."},
+        .meaning =
+            "How many people are to take part. Before so many are complete the report shows no test. `palpate "
+            "plan` says how many are enough."},
 };
 
 constexpr std::array kAnalysisKeys{
@@ -176,14 +177,16 @@ constexpr std::array kAnalysisKeys{
         .takes = base::takes_word(between_models_words),
         .example = "\"sign-flip\"",
         .absent = "the cells are not compared",
-        .meaning = "Compares cells, by each examinee's difference of correct answers: two cells, or two factors of two "
-                   "levels each with both main effects and their interaction."},
+        .meaning =
+            "Compares cells, by each examinee's difference of correct answers: two cells, or two factors of two "
+            "levels each with both main effects and their interaction."},
     Key{.name = "looks",
         .takes = base::takes_other("ascending numbers of examinees such as [5, 10, 15]"),
         .example = "[5, 10, 15]",
         .absent = "one look, at the end",
-        .meaning = "Looks at the results on the way, by how many examinees are complete then; the last is at all "
-                   "planned ones. For one-sided tests with coin flips, without `adjust`.",
+        .meaning =
+            "Looks at the results on the way, by how many examinees are complete then; the last is at all "
+            "planned ones. For one-sided tests with coin flips, without `adjust`.",
         .along = "spending = \"obrien-fleming\""},
     Key{.name = "spending",
         .takes = base::takes_word(spending_words),
@@ -280,10 +283,8 @@ void add_kind(std::string path, std::string_view meaning, std::span<const Key> c
 void add_room(std::string path, std::string_view kind, std::string_view name, std::span<const Key> keys,
               bool shown, base::FileFormat& format) {
   if (keys.empty()) return;
-  format.tables.push_back({.path = path,
-                           .called = fmt::format("{} = \"{}\"", kind, name),
-                           .keys = listed(keys),
-                           .shown = {}});
+  format.tables.push_back(
+      {.path = path, .called = fmt::format("{} = \"{}\"", kind, name), .keys = listed(keys), .shown = {}});
   if (shown) format.tables.back().shown = {{.path = path}};
 }
 
@@ -301,17 +302,20 @@ base::FileFormat protocol_format(std::span<const Task* const> tasks,
   format.tables.push_back({.path = "", .keys = listed(kProtocolKeys), .shown = {{}}});
   format.tables.push_back(
       {.path = "conditions.NAME",
-       .meaning = "A condition: a named set of changes to the scene. A condition that no question presents may "
-                  "stand here, too, for `palpate press` to compare with.",
+       .meaning =
+           "A condition: a named set of changes to the scene. A condition that no question presents may "
+           "stand here, too, for `palpate press` to compare with.",
        .keys = listed(kConditionKeys),
        .shown = {{.path = "conditions.soft"},
                  {.path = "conditions.hard",
                   .examples = {{base::kAnyName, "\"bodies.prostate.young_modulus\" = \"5.0 MPa\""}}}}});
-  add_table("factors",
-            "What else is varied: every combination of the factors' levels is a cell, with trials and a test of "
-            "its own. A study without factors leaves this table out.",
-            kFactorsKeys, format);
-  add_kind("task", "What the examinee is asked, and what the correct answer is.", kTaskKeys, tasks.front()->name, format);
+  add_table(
+      "factors",
+      "What else is varied: every combination of the factors' levels is a cell, with trials and a test of "
+      "its own. A study without factors leaves this table out.",
+      kFactorsKeys, format);
+  add_kind("task", "What the examinee is asked, and what the correct answer is.", kTaskKeys,
+           tasks.front()->name, format);
   for (const Task* task : tasks)
     add_room("task", "kind", task->name, task->keys, task == tasks.front(), format);
   add_kind("procedure", "How many trials there are, and what each presents.", kProcedureKeys,
@@ -327,7 +331,8 @@ base::FileFormat protocol_format(std::span<const Task* const> tasks,
   add_table("analysis", "What is made of the answers, decided before the first of them.", kAnalysisKeys,
             format);
   format.later.assign(kLaterKeys.begin(), kLaterKeys.end());
-  for (const std::string_view key : kLaterProcedureKeys) format.later.push_back(fmt::format("procedure.{}", key));
+  for (const std::string_view key : kLaterProcedureKeys)
+    format.later.push_back(fmt::format("procedure.{}", key));
   return format;
 }
 

@@ -34,7 +34,7 @@ struct Task {
   std::string_view answer_is;          // what an answer's number is: "the number of an interval"
   std::string_view hint, spoken_hint;  // how to answer, as the page shows it and as a screen reader says it
 
-  std::string_view meaning{};          // what is asked, a clause, for the reference
+  std::string_view meaning{};  // what is asked, a clause, for the reference
   // The design. `keys` are those of [task] apart from kind and answer, `order_keys` of [order] apart from
   // cells; their examples fit conditions "soft" and "hard". What is refused throws std::invalid_argument, as
   // TomlReader::refuse() does.

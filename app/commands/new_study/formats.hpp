@@ -10,8 +10,7 @@
 namespace palpate::app {
 
 /// A protocol to start from, every key explained.
-std::string new_protocol(std::string_view name, const trials::Task& task,
-                         const trials::Procedure& procedure);
+std::string new_protocol(std::string_view name, const trials::Task& task, const trials::Procedure& procedure);
 /// Its scene, "scene.toml". The meshes that it names stand in "meshes", beside it.
 std::string new_scene();
 

@@ -40,14 +40,15 @@ void make_study(const NewOptions& options) {
     throw std::invalid_argument(
         fmt::format("{}: is no name for a study; accepted: {}", options.folder, trials::kNamesAccepted));
   if (fs::exists(fs::symlink_status(folder)))
-    throw std::invalid_argument(fmt::format("{}: is there already and is not overwritten; accepted: another name",
-                                            options.folder));
+    throw std::invalid_argument(
+        fmt::format("{}: is there already and is not overwritten; accepted: another name", options.folder));
   base::NewFolder study(folder, base::NewFolder::Beside::Nothing);
   study.add("protocol.toml", new_protocol(name, named(trials::tasks(), options.task),
                                           named(trials::procedures(), options.procedure)));
   study.add("scene.toml", new_scene());
   for (const std::string_view mesh : kMeshes)
-    study.add(fs::path("meshes") / mesh, base::read_file(data_folder() / "data/meshes" / mesh, "a mesh file"));
+    study.add(fs::path("meshes") / mesh,
+              base::read_file(data_folder() / "data/meshes" / mesh, "a mesh file"));
   study.finish();
 
   const std::string protocol = folder / "protocol.toml";

@@ -20,7 +20,8 @@ EffectState no_large_deformation(const Scene&) {
 
 constexpr std::array kFrictionKeys{EffectKey{"contact", {.name = "friction"}, "friction"}};
 constexpr std::array kViscosityKeys{EffectKey{"bodies", {.name = "relaxation"}, "viscosity"}};
-constexpr std::array kVolumetricKeys{EffectKey{"bodies", {.name = "volumetric"}, "the near-incompressible treatment"}};
+constexpr std::array kVolumetricKeys{
+    EffectKey{"bodies", {.name = "volumetric"}, "the near-incompressible treatment"}};
 
 constexpr Effect kFriction{.name = "friction", .keys = kFrictionKeys, .state = no_friction};
 constexpr Effect kViscosity{.name = "viscosity", .keys = kViscosityKeys, .state = no_viscosity};

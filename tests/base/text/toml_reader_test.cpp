@@ -66,7 +66,8 @@ TEST(TomlReader, MessagesSayWhatTheDescriptionAccepts) {
   EXPECT_EQ(refusal_of("share = 1", [](TomlReader& r) { r.number("share"); }),
             "f.toml:1: share: found 1, accepted: a number greater than 0 and less than 1");
   for (const char* no_number : {"share = nan", "share = inf", "share = -inf"})
-    EXPECT_THAT(refusal_of(no_number, [](TomlReader& r) { r.number("share"); }), HasSubstr("accepted: a number"));
+    EXPECT_THAT(refusal_of(no_number, [](TomlReader& r) { r.number("share"); }),
+                HasSubstr("accepted: a number"));
   EXPECT_EQ(refusal_of("trials = 10", [](TomlReader& r) { r.whole("trials"); }),
             "f.toml:1: trials: found 10, accepted: a whole number from 1 to 9");
   EXPECT_EQ(refusal_of("trials = 2.5", [](TomlReader& r) { r.whole("trials"); }),
@@ -94,7 +95,7 @@ TEST(TomlReader, AKeyThatNobodyAskedForIsRefusedWithThoseThatMayStandThere) {
 TEST(TomlReader, AKeyIsReadAsItIsDescribedOrNotAtAll) {
   const toml::table root = parse_toml("name = \"x\"\nfoo = 3", "f.toml");
   TomlReader reader(root, "f.toml", kKeys);
-  EXPECT_THROW(reader.text("foo"), std::logic_error);    // no description
+  EXPECT_THROW(reader.text("foo"), std::logic_error);     // no description
   EXPECT_THROW(reader.number("name"), std::logic_error);  // another kind of value
   EXPECT_THROW(reader.has("name"), std::logic_error);     // it is required
   constexpr std::array kFurther{Key{.name = "foo", .takes = takes_whole(1, 9), .absent = "none"}};

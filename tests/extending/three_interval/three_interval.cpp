@@ -31,7 +31,8 @@ constexpr std::array kKeys{
 };
 
 base::Words coin() {
-  return {.now = {{"coin", "each interval is as likely as any other to hold the correct condition"}}, .later = {}};
+  return {.now = {{"coin", "each interval is as likely as any other to hold the correct condition"}},
+          .later = {}};
 }
 constexpr std::array kOrderKeys{
     base::Key{.name = "interval",

@@ -53,8 +53,8 @@ TEST(Effects, OfLaterVersionsAreRefusedByTheirKeys) {
     const std::vector<Override> calling{{table + "." + std::string(later.key.name), "1"}};
     EXPECT_THAT([&] { load_scene(write_two_boxes(), calling); },
                 testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr(
-                    fmt::format("{}.{}: calls for {}, which this version does not simulate", table, later.key.name,
-                                later.calls_for))));
+                    fmt::format("{}.{}: calls for {}, which this version does not simulate", table,
+                                later.key.name, later.calls_for))));
   }
 }
 

@@ -75,7 +75,8 @@ std::string path_of(const base::TableFormat& table) {
   if (!table.shown.empty()) return table.shown.front().path;
   std::string path = table.path;
   for (const auto& [name, shown] : {std::pair{"bodies.NAME", "bodies.prostate"}, {"GROUP", "nodule"}})
-    if (const auto at = path.find(name); at != std::string::npos) path.replace(at, std::string(name).size(), shown);
+    if (const auto at = path.find(name); at != std::string::npos)
+      path.replace(at, std::string(name).size(), shown);
   return path;
 }
 
