@@ -28,7 +28,8 @@ constexpr const char* kGuide =
     "Begin with:\n"
     "  palpate demo                                     a whole study with simulated examinees\n"
     "  palpate press data/scenes/rectal-palpation.toml  how the force grows with depth\n"
-    "  palpate check protocols/kuroda2003.toml          what a study amounts to\n\n"
+    "  palpate check protocols/kuroda2003.toml          what a study amounts to\n"
+    "  palpate new my-study                             a study of your own to start from\n\n"
     "palpate COMMAND --help shows a command's options, with an example.";
 
 }  // namespace

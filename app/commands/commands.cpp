@@ -8,6 +8,7 @@
 #include "app/commands/export/export.hpp"
 #include "app/commands/merge/merge.hpp"
 #include "app/commands/mesh/mesh.hpp"
+#include "app/commands/new_study/new_study.hpp"
 #include "app/commands/plan/plan.hpp"
 #include "app/commands/press/press.hpp"
 #include "app/commands/render/render.hpp"
@@ -22,6 +23,7 @@ namespace palpate::app {
 std::span<const Command* const> commands() {
   static constexpr std::array all{
       &demo_command,      //
+      &new_command,       //
       &press_command,     //
       &render_command,    //
       &cost_command,      //

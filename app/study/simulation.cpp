@@ -2,19 +2,17 @@
 
 #include <fmt/format.h>
 
+#include "app/command_line/data_folder.hpp"
 #include "app/command_line/interrupt.hpp"
 #include "app/command_line/progress.hpp"
-#include "app/command_line/source_folder.hpp"
 #include "app/command_line/user_cache.hpp"
-#include "base/machine/environment.hpp"
 #include "base/machine/machine.hpp"
 #include "base/text/counted.hpp"
 
 namespace palpate::app {
 
 std::filesystem::path default_observer() {
-  return std::filesystem::path(base::environment("PALPATE_DATA").value_or(source_folder())) /
-         "protocols/observers/default.toml";
+  return data_folder() / "protocols/observers/default.toml";
 }
 
 SimulationResult run_simulation(const std::filesystem::path& protocol_file,

@@ -14,6 +14,8 @@ template <class Enum>
 struct EnumWord {
   Enum value;
   std::string_view word;
+  std::string_view
+      meaning{};  // what the word stands for in a file, a clause; empty where it says that itself
 };
 
 /// The words of an enumeration, all of them, each once: one table serves writing, reading and messages.

@@ -80,6 +80,20 @@ double parse_quantity(std::string_view text, Dimension dimension) {
       fmt::format("\"{}\" has the unit \"{}\"; accepted units: {}", text, name, accepted(units)));
 }
 
+std::string unit_names(Dimension dimension) {
+  return accepted(units_of(dimension));
+}
+
+std::string_view in_words(Dimension dimension) {
+  constexpr std::array<std::string_view, 7> kWords{"length", "pressure",  "time",    "force",
+                                                   "angle",  "stiffness", "fraction"};
+  return kWords.at(static_cast<std::size_t>(dimension));
+}
+
+std::string_view si_unit(Dimension dimension) {
+  return units_of(dimension).front().name;
+}
+
 double metres_per_unit(std::string_view unit) {
   for (const Unit& known : kLength)
     if (known.name == unit) return known.in_si;

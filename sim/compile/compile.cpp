@@ -1,15 +1,13 @@
 #include "sim/compile/compile.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 #include "sim/compile/body.hpp"
 #include "sim/compile/overlap.hpp"
 #include "sim/contact/laws.hpp"
 #include "sim/effects/effects.hpp"
+#include "sim/scene/refuse_key.hpp"
 
 namespace palpate::sim {
 namespace {
@@ -52,11 +50,7 @@ Model compile_all(const Scene& scene, ComplianceCache& cache) {
 }  // namespace
 
 Model compile(const Scene& scene, ComplianceCache& cache) {
-  try {
-    return compile_all(scene, cache);
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(fmt::format("{}: {}", scene.file.string(), error.what()));
-  }
+  return with_place(scene, [&] { return compile_all(scene, cache); });
 }
 
 }  // namespace palpate::sim

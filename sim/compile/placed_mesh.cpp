@@ -45,7 +45,8 @@ TetMesh read_placed(const BodySpec& spec) {
   try {
     validate(mesh);
   } catch (const std::invalid_argument& error) {
-    refuse_key(fmt::format("bodies.{}.mesh: {}", spec.name, spec.mesh.string()), error.what());
+    refuse_key(fmt::format("bodies.{}.mesh", spec.name),
+               fmt::format("{}: {}", spec.mesh.string(), error.what()));
   }
   const double angle = spec.rotate.norm();
   const Eigen::Matrix3d turn = angle > 0.0 ? Eigen::AngleAxisd(angle, spec.rotate / angle).toRotationMatrix()

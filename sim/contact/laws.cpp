@@ -53,8 +53,10 @@ std::string choice_of_contact_models() {
   return fmt::format("{} or {}", fmt::join(names.first(names.size() - 1), ", "), names.back());
 }
 
-AcceptedWords contact_model_words() {
-  return {.now = law_names()};
+base::Words contact_model_words() {
+  base::Words words;
+  for (const ContactLaw* law : kLaws) words.now.push_back({law->name, law->meaning});
+  return words;
 }
 
 }  // namespace palpate::sim

@@ -43,7 +43,8 @@ inline void no_advance(const Model&, const LawScratch&, double, std::span<double
 /// How bodies that touch share their displacement. The simulation owns scratch and memory and calls, in every
 /// cycle, `solve` and then, where there is memory, `advance`.
 struct ContactLaw {
-  std::string_view name{};  // as a scene's contact.model says it
+  std::string_view name{};     // as a scene's contact.model says it
+  std::string_view meaning{};  // what touching bodies do to each other, a clause, for the reference
 
   /// Empty where the law has nothing to do in this model: then neither `solve` nor `advance` is called.
   std::unique_ptr<LawScratch> (*prepare)(const Model& model) = nullptr;

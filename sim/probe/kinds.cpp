@@ -1,7 +1,6 @@
 #include "sim/probe/kinds.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -21,16 +20,6 @@ constexpr std::array kKinds{
 };
 constexpr std::array<std::string_view, 2> kLaterKinds{"fingertip", "region"};
 
-const std::vector<std::string_view>& kind_names() {
-  static const std::vector<std::string_view> names = [] {
-    std::vector<std::string_view> all;
-    all.reserve(kKinds.size());
-    for (const ProbeKind* kind : kKinds) all.push_back(kind->keys.name);
-    return all;
-  }();
-  return names;
-}
-
 }  // namespace
 
 std::span<const ProbeKind* const> probe_kinds() {
@@ -41,12 +30,14 @@ const ProbeKind& probe_kind(std::string_view name) {
   const auto found = std::ranges::find(kKinds, name, [](const ProbeKind* kind) { return kind->keys.name; });
   if (found == kKinds.end())
     throw std::invalid_argument(
-        fmt::format("kind: found \"{}\", accepted: {}", name, fmt::join(kind_names(), ", ")));
+        fmt::format("kind: found \"{}\", accepted: {}", name, base::accepted(probe_kind_words())));
   return **found;
 }
 
-AcceptedWords probe_kind_words() {
-  return {.now = kind_names(), .later = kLaterKinds};
+base::Words probe_kind_words() {
+  base::Words words{.now = {}, .later = {kLaterKinds.begin(), kLaterKinds.end()}};
+  for (const ProbeKind* kind : kKinds) words.now.push_back({kind->keys.name, kind->keys.meaning});
+  return words;
 }
 
 std::span<const ProbeKindKeys> probe_kind_keys() {

@@ -5,15 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include "sim/probe/kinds.hpp"
+#include "sim/scene/refuse_key.hpp"
 
 namespace palpate::sim {
 namespace {
 
 [[noreturn]] void refuse(const ProbeSpec& spec, const std::string& what) {
-  throw std::invalid_argument(fmt::format("probes.{}: {}", spec.name, what));
+  refuse_key(fmt::format("probes.{}", spec.name), what);
 }
 
 int node_of_tag(const ProbeSpec& spec, const TetMesh& mesh, std::int64_t tag) {

@@ -4,30 +4,28 @@
 #include <string_view>
 #include <vector>
 
+#include "base/text/key.hpp"
+
 namespace palpate::base {
 class TomlReader;
 }
 
 namespace palpate::sim {
 
-// What a scene may name stands in lists of rooms above this one. The reader needs of them no more than the
-// words, which are declared here and defined beside each list.
-
-/// Words that a key of a scene accepts, and words of a later version, which are refused as such.
-struct AcceptedWords {
-  std::span<const std::string_view> now{}, later{};
-};
+// What a scene may name stands in lists of rooms above this one. The reader needs of them no more than words
+// and keys, which are declared here and defined beside each list.
 
 /// What contact.model accepts. Defined in sim/contact/laws.cpp.
-AcceptedWords contact_model_words();
+base::Words contact_model_words();
 
 /// What probes.NAME.kind accepts. Defined in sim/probe/kinds.cpp.
-AcceptedWords probe_kind_words();
+base::Words probe_kind_words();
 
 /// What the scene reader knows of a kind of probe.
 struct ProbeKindKeys {
-  std::string_view name{};    // as probes.NAME.kind says it
-  bool takes_radius = false;  // true: radius is required; false: refused
+  std::string_view name{};     // as probes.NAME.kind says it
+  std::string_view meaning{};  // what it presses with, a clause, for the reference
+  bool takes_radius = false;   // true: radius is required; false: refused
 };
 
 /// Every kind. Defined in sim/probe/kinds.cpp.
@@ -35,8 +33,8 @@ std::span<const ProbeKindKeys> probe_kind_keys();
 
 /// A key that calls for an effect.
 struct EffectKey {
-  std::string_view table{};  // "bodies" (of each body) or "contact"
-  std::string_view key{};
+  std::string_view table{};      // "bodies" (of each body) or "contact"
+  base::Key key{};               // of a key that this version refuses, the name alone
   std::string_view calls_for{};  // "viscosity"
   /// The numbers that the key's value stands for; refuses as TomlReader does. Null: this version does not
   /// simulate what the key calls for, and refuses it.

@@ -11,7 +11,9 @@
 #include "base/text/toml_depth.hpp"
 #include "base/text/toml_reader.hpp"
 #include "sim/scene/accepted.hpp"
+#include "sim/scene/refuse_key.hpp"
 #include "sim/scene/scene.hpp"
+#include "sim/scene/scene_keys.hpp"
 
 namespace palpate::sim {
 namespace {
@@ -22,6 +24,21 @@ constexpr std::array<std::string_view, 1> kLaterProbeKeys{"group"};
 
 Vec3 to_vec3(const base::Triple& values) {
   return Vec3(values.data());
+}
+
+/// The line of every key of the file, by its path.
+void add_lines(const toml::table& table, const std::string& path, KeyLines& lines) {
+  for (const auto& [key, node] : table) {
+    const std::string key_path = path.empty() ? std::string(key) : fmt::format("{}.{}", path, key.str());
+    lines.of_key.emplace(key_path, static_cast<int>(node.source().begin.line));
+    if (const toml::table* below = node.as_table()) add_lines(*below, key_path, lines);
+  }
+}
+
+KeyLines lines_of(const toml::table& root) {
+  KeyLines lines;
+  add_lines(root, "", lines);
+  return lines;
 }
 
 /// A value as a TOML file would hold it; what is no TOML is a string, so that units need no quotes in a
@@ -70,7 +87,8 @@ void apply(toml::table& root, const Override& change) {
   parsed.get("value")->visit([&](const auto& value) { table->insert_or_assign(key, value); });
 }
 
-NodeSelection read_selection(base::TomlReader& reader, std::string_view key, const toml::node& node) {
+NodeSelection read_selection(base::TomlReader& reader, std::string_view key) {
+  const toml::node& node = reader.other(key);
   if (node.is_string()) return *node.value<std::string>();
   if (node.is_array()) {
     std::vector<std::int64_t> tags;
@@ -81,93 +99,68 @@ NodeSelection read_selection(base::TomlReader& reader, std::string_view key, con
     }
     return tags;
   }
-  if (!node.is_table())
-    reader.refuse(key, fmt::format("found {}, accepted: a group's name, node numbers, or a box {{ lower = "
-                                   "[...], upper = [...] }}",
-                                   base::TomlReader::describe(node)));
-  base::TomlReader box(*node.as_table(), reader.file(), reader.key_path(key));
-  box.required("lower", "accepted: three lengths");
-  box.required("upper", "accepted: three lengths");
-  const Box found{to_vec3(*box.vector_quantity("lower", base::Dimension::Length)),
-                  to_vec3(*box.vector_quantity("upper", base::Dimension::Length))};
+  base::TomlReader box = reader.table_at(key, node, box_keys());
+  const Box found{to_vec3(box.three_quantities("lower")), to_vec3(box.three_quantities("upper"))};
   box.refuse_unknown();
   return found;
-}
-
-Material read_material(base::TomlReader& reader, double default_poisson) {
-  Material material;
-  material.young_modulus =
-      reader.required_quantity("young_modulus", base::Dimension::Pressure, "\"1.0 MPa\"");
-  material.poisson_ratio = reader.number("poisson_ratio").value_or(default_poisson);
-  return material;
 }
 
 /// @param table  of the scene, as EffectKey names it
 EffectValues read_effects(base::TomlReader& reader, std::string_view table) {
   EffectValues values;
   for (const EffectKey& effect : effect_keys()) {
-    if (effect.table != table || !reader.has(effect.key)) continue;
-    if (!effect.read)
-      reader.refuse(effect.key,
-                    fmt::format("calls for {}, which this version does not simulate", effect.calls_for));
-    values.insert_or_assign(std::string(effect.key), effect.read(reader, effect.key));
+    if (effect.table != table) continue;
+    if (!effect.read) {
+      reader.refuse_later(effect.key.name, effect.calls_for);
+      continue;
+    }
+    reader.also(std::span(&effect.key, 1));
+    if (reader.has(effect.key.name))
+      values.insert_or_assign(std::string(effect.key.name), effect.read(reader, effect.key.name));
   }
   return values;
 }
 
-std::string read_word(base::TomlReader& reader, std::string_view key, const AcceptedWords& words) {
-  std::string word = reader.required_text(key);
-  if (std::ranges::count(words.later, word) > 0)
-    reader.refuse(
-        key, fmt::format("\"{}\" is not in this version; accepted: {}", word, fmt::join(words.now, ", ")));
-  if (std::ranges::count(words.now, word) == 0)
-    reader.refuse(key, fmt::format("found \"{}\", accepted: {}", word, fmt::join(words.now, ", ")));
-  return word;
+Material read_region(base::TomlReader reader, double poisson_ratio_of_body) {
+  reader.refuse_later(kLaterRegionKeys);
+  const Material region{
+      .young_modulus = reader.quantity("young_modulus"),
+      .poisson_ratio = reader.has("poisson_ratio") ? reader.number("poisson_ratio") : poisson_ratio_of_body};
+  reader.refuse_unknown();
+  return region;
 }
 
-BodySpec read_body(base::TomlReader& reader, const std::string& name, const std::filesystem::path& folder) {
+BodySpec read_body(base::TomlReader reader, const std::string& name, const std::filesystem::path& folder) {
   BodySpec body{.name = name};
-  body.present = reader.boolean("present").value_or(true);
-  body.mesh = folder / reader.required_text("mesh");
-  const std::string unit = reader.required_text("length_unit");
-  try {
-    body.metres_per_unit = base::metres_per_unit(unit);
-  } catch (const std::invalid_argument& error) {
-    reader.refuse("length_unit", error.what());
+  body.present = reader.boolean("present");
+  body.mesh = folder / reader.text("mesh");
+  body.metres_per_unit = base::metres_per_unit(reader.word("length_unit"));
+  body.material = {.young_modulus = reader.quantity("young_modulus"),
+                   .poisson_ratio = reader.number("poisson_ratio")};
+  if (reader.has("regions")) {
+    base::TomlReader regions = reader.table("regions", tables_by_name());
+    for (const std::string& region : regions.keys())
+      body.regions[region] = read_region(regions.table(region, region_keys()), body.material.poisson_ratio);
   }
-  reader.required("poisson_ratio", "accepted: a number between -1 and 0.5");
-  body.material = read_material(reader, 0.0);
-  if (auto regions = reader.table("regions")) {
-    for (const std::string& region : regions->keys()) {
-      auto table = regions->table(region);
-      table->refuse_later(kLaterRegionKeys);
-      body.regions[region] = read_material(*table, body.material.poisson_ratio);
-      table->refuse_unknown();
-    }
-  }
-  body.fixed = read_selection(reader, "fixed",
-                              reader.required("fixed", "accepted: a group's name, node numbers, or a box"));
-  if (const toml::node* touchable = reader.node("touchable"))
-    body.touchable = read_selection(reader, "touchable", *touchable);
-  body.scale = reader.number("scale").value_or(1.0);
-  body.rotate = to_vec3(reader.vector_quantity("rotate", base::Dimension::Angle).value_or(base::Triple{}));
-  body.offset = to_vec3(reader.vector_quantity("offset", base::Dimension::Length).value_or(base::Triple{}));
+  body.fixed = read_selection(reader, "fixed");
+  if (reader.has("touchable")) body.touchable = read_selection(reader, "touchable");
+  body.scale = reader.number("scale");
+  body.rotate = to_vec3(reader.three_quantities("rotate"));
+  body.offset = to_vec3(reader.three_quantities("offset"));
   body.effects = read_effects(reader, "bodies");
   reader.refuse_unknown();
   return body;
 }
 
-ContactSpec read_contact(base::TomlReader& reader) {
+ContactSpec read_contact(base::TomlReader reader) {
   ContactSpec contact;
-  for (const toml::node& item :
-       reader.as_array("touch", reader.required("touch", "accepted: pairs of bodies"),
-                       "pairs of bodies such as [[\"rectum\", \"prostate\"]]")) {
+  for (const toml::node& item : reader.as_array("touch", reader.other("touch"))) {
     const toml::array* pair = item.as_array();
     if (!pair || pair->size() != 2 || !(*pair)[0].is_string() || !(*pair)[1].is_string())
       reader.refuse("touch", "accepted: pairs of bodies such as [[\"rectum\", \"prostate\"]]");
     contact.touch.push_back({*(*pair)[0].value<std::string>(), *(*pair)[1].value<std::string>()});
   }
-  contact.model = read_word(reader, "model", contact_model_words());
+  contact.model = reader.word("model");
   contact.effects = read_effects(reader, "contact");
   reader.refuse_unknown();
   return contact;
@@ -177,8 +170,9 @@ ContactSpec read_contact(base::TomlReader& reader) {
 double read_radius(base::TomlReader& reader, const std::string& kind_name) {
   const std::span<const ProbeKindKeys> kinds = probe_kind_keys();
   const ProbeKindKeys& kind = *std::ranges::find(kinds, kind_name, &ProbeKindKeys::name);
-  const double radius = reader.quantity("radius", base::Dimension::Length).value_or(0.0);
-  if (kind.takes_radius == (radius > 0.0)) return radius;
+  const bool given = reader.has("radius");
+  if (kind.takes_radius && given) return reader.quantity("radius");
+  if (!kind.takes_radius && !given) return 0.0;
   if (kind.takes_radius)
     reader.refuse("radius", fmt::format("a {} needs a radius > 0, such as \"6 mm\"", kind.name));
   std::vector<std::string_view> with_radius;
@@ -188,40 +182,28 @@ double read_radius(base::TomlReader& reader, const std::string& kind_name) {
                                       fmt::join(with_radius, "\" or \"")));
 }
 
-ProbeSpec read_probe(base::TomlReader& reader, const std::string& name) {
+ProbeSpec read_probe(base::TomlReader reader, const std::string& name) {
   ProbeSpec probe{.name = name};
-  probe.body = reader.required_text("body");
-  probe.kind = read_word(reader, "kind", probe_kind_words());
+  probe.body = reader.text("body");
+  probe.kind = reader.word("kind");
   reader.refuse_later(kLaterProbeKeys);
-  const auto node = reader.integer("node");
-  const auto at = reader.vector_quantity("at", base::Dimension::Length);
-  if (node.has_value() == at.has_value())
+  const bool has_node = reader.has("node"), has_place = reader.has("at");
+  if (has_node == has_place)
     reader.refuse("at",
                   "exactly one of at (a place) and node (a node's number in the mesh file) is accepted");
-  if (node)
-    probe.at = *node;
+  if (has_node)
+    probe.at = reader.whole("node");
   else
-    probe.at = to_vec3(*at);
-  reader.required("direction", "accepted: three numbers such as [0, 0, 1]");
-  probe.direction = to_vec3(*reader.vector_number("direction"));
+    probe.at = to_vec3(reader.three_quantities("at"));
+  probe.direction = to_vec3(reader.three_numbers("direction"));
   if (!probe.direction.allFinite() || probe.direction.stableNorm() == 0.0)
     reader.refuse("direction", "has no length; accepted: three numbers, not all 0");
   probe.direction.stableNormalize();
-  probe.depth = reader.required_quantity("depth", base::Dimension::Length, "\"5 mm\"");
+  probe.depth = reader.quantity("depth");
   probe.radius = read_radius(reader, probe.kind);
-  const std::string tangential = reader.text("tangential").value_or("held");
-  const auto known = base::value_of(kTangentialWords, tangential);
-  if (!known)
-    reader.refuse("tangential", fmt::format("found \"{}\", accepted: {}", tangential,
-                                            base::accepted_words(kTangentialWords)));
-  probe.tangential = *known;
+  probe.tangential = reader.word("tangential", kTangentialWords);
   reader.refuse_unknown();
   return probe;
-}
-
-base::TomlReader required_table(base::TomlReader& reader, std::string_view key, std::string_view accepted) {
-  reader.required(key, accepted);
-  return *reader.table(key);
 }
 
 }  // namespace
@@ -229,26 +211,18 @@ base::TomlReader required_table(base::TomlReader& reader, std::string_view key, 
 Scene load_scene(const std::filesystem::path& file, std::span<const Override> overrides) {
   toml::table root = base::read_toml(file);
   for (const Override& change : overrides) apply(root, change);
-  base::TomlReader reader(root, file.string());
-  Scene scene{.name = reader.required_text("name"), .file = file};
+  base::TomlReader reader(root, file.string(), scene_keys());
+  Scene scene{.name = reader.text("name"), .file = file, .lines = lines_of(root)};
 
-  base::TomlReader bodies = required_table(reader, "bodies", "accepted: one table [bodies.NAME] a body");
-  for (const std::string& name : bodies.keys()) {
-    auto body = bodies.table(name);
-    scene.bodies.push_back(read_body(*body, name, file.parent_path()));
-  }
-  if (auto contact = reader.table("contact")) scene.contact = read_contact(*contact);
-  base::TomlReader probes = required_table(reader, "probes", "accepted: one table [probes.NAME] a probe");
-  for (const std::string& name : probes.keys()) {
-    auto probe = probes.table(name);
-    scene.probes.push_back(read_probe(*probe, name));
-  }
+  base::TomlReader bodies = reader.table("bodies", tables_by_name());
+  for (const std::string& name : bodies.keys())
+    scene.bodies.push_back(read_body(bodies.table(name, body_keys()), name, file.parent_path()));
+  if (reader.has("contact")) scene.contact = read_contact(reader.table("contact", contact_keys()));
+  base::TomlReader probes = reader.table("probes", tables_by_name());
+  for (const std::string& name : probes.keys())
+    scene.probes.push_back(read_probe(probes.table(name, probe_keys()), name));
   reader.refuse_unknown();
-  try {
-    validate(scene);
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(fmt::format("{}: {}", file.string(), error.what()));
-  }
+  with_place(scene, [&] { validate(scene); });
   return scene;
 }
 

@@ -3,30 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 #include "sim/scene/refuse_key.hpp"
 
 namespace palpate::sim {
 namespace {
-
-void validate(const Material& material, const std::string& key) {
-  if (!(material.young_modulus > 0.0) || !std::isfinite(material.young_modulus))
-    refuse_key(key + ".young_modulus", fmt::format("found {} Pa, accepted: > 0", material.young_modulus));
-  if (!(material.poisson_ratio > -1.0 && material.poisson_ratio < 0.5))
-    refuse_key(key + ".poisson_ratio",
-               fmt::format("found {}, accepted: greater than -1 and less than 0.5", material.poisson_ratio));
-}
-
-void validate(const BodySpec& body) {
-  const std::string key = "bodies." + body.name;
-  validate(body.material, key);
-  for (const auto& [name, material] : body.regions)
-    validate(material, fmt::format("{}.regions.{}", key, name));
-  if (!(body.scale > 0.0) || !std::isfinite(body.scale))
-    refuse_key(key + ".scale", fmt::format("found {}, accepted: > 0", body.scale));
-}
 
 const BodySpec* find_body(const Scene& scene, const std::string& name) {
   const auto found = std::ranges::find(scene.bodies, name, &BodySpec::name);
@@ -59,10 +41,20 @@ void validate_touch(const Scene& scene) {
 
 }  // namespace
 
+std::string place_of(const Scene& scene, std::string_view key) {
+  auto found = scene.lines.of_key.find(key);
+  for (auto dot = key.rfind('.'); found == scene.lines.of_key.end() && dot != std::string_view::npos;
+       dot = key.rfind('.')) {
+    key = key.substr(0, dot);
+    found = scene.lines.of_key.find(key);
+  }
+  const bool in_file = found != scene.lines.of_key.end() && found->second > 0;
+  return in_file ? fmt::format("{}:{}", scene.file.string(), found->second) : scene.file.string();
+}
+
 void validate(const Scene& scene) {
   if (scene.bodies.empty()) refuse_key("bodies", "no body; accepted: one table [bodies.NAME] a body");
   if (scene.probes.empty()) refuse_key("probes", "no probe; accepted: one table [probes.NAME] a probe");
-  for (const BodySpec& body : scene.bodies) validate(body);
   validate_touch(scene);
   for (const ProbeSpec& probe : scene.probes) {
     const std::string key = "probes." + probe.name;
@@ -71,8 +63,6 @@ void validate(const Scene& scene) {
       refuse_key(key + ".body",
                  fmt::format("\"{}\" is no body of this scene; accepted: {}", probe.body, body_names(scene)));
     if (!body->present) refuse_key(key + ".body", fmt::format("\"{}\" is not present", probe.body));
-    if (!(probe.depth > 0.0))
-      refuse_key(key + ".depth", fmt::format("found {} m, accepted: > 0", probe.depth));
   }
 }
 

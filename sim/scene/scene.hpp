@@ -2,6 +2,7 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <span>
@@ -60,7 +61,8 @@ struct ContactSpec {
 /// Whether a probe holds what it presses across its direction, too.
 enum class Tangential { Held, Free };
 inline constexpr base::EnumWords<Tangential, 2> kTangentialWords{
-    {{Tangential::Held, "held"}, {Tangential::Free, "free"}}};
+    {{Tangential::Held, "held", "it sticks: what it presses cannot slip sideways"},
+     {Tangential::Free, "free", "it moves the surface along its direction only"}}};
 
 struct ProbeSpec {
   std::string name{};
@@ -76,6 +78,14 @@ struct ProbeSpec {
   bool operator==(const ProbeSpec&) const = default;
 };
 
+/// Where a scene file says what: the line of each key, by its path ("bodies.rectum.mesh"); 0 for one that an
+/// override put there. No part of what is simulated: all are equal.
+struct KeyLines {
+  std::map<std::string, int, std::less<>> of_key{};
+
+  bool operator==(const KeyLines&) const { return true; }
+};
+
 /// Bodies, materials, supports, what may touch what, probes. Plain data, validated at the border.
 struct Scene {
   std::string name{};
@@ -83,6 +93,7 @@ struct Scene {
   std::vector<BodySpec> bodies{};  // in the order of the file
   ContactSpec contact{};
   std::vector<ProbeSpec> probes{};  // the first is the finger whose force is reported
+  KeyLines lines{};
 
   bool operator==(const Scene&) const = default;
 };
@@ -100,7 +111,8 @@ struct Override {
 /// error.
 Scene load_scene(const std::filesystem::path& file, std::span<const Override> overrides = {});
 
-/// Throws std::invalid_argument for a value out of bounds or a reference to what does not exist.
+/// Throws RefusedKey (refuse_key.hpp) for a reference to what does not exist. Single values are checked where
+/// they are read.
 void validate(const Scene& scene);
 
 }  // namespace palpate::sim

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "trials/plan/plan.hpp"
 #include "trials/plan/random.hpp"
 #include "trials/protocol/protocol.hpp"
@@ -16,6 +18,8 @@ extern const trials::Task kTwoInterval;
 namespace two_interval {
 
 // design.cpp
+extern const std::array<base::Key, 2> kKeys;
+extern const std::array<base::Key, 1> kOrderKeys;
 void read(base::TomlReader& task, trials::Protocol& protocol);
 void read_order(base::TomlReader& order, trials::Protocol& protocol);
 void check_primary(const base::TomlReader& analysis, const trials::Protocol& protocol);

@@ -1,70 +1,49 @@
-#include <fmt/format.h>
-
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 #include "base/files/read_file.hpp"
 #include "base/text/toml_reader.hpp"
 #include "trials/observer/observer.hpp"
+#include "trials/observer/observer_keys.hpp"
 
 namespace palpate::trials {
 namespace {
 
-using base::Dimension;
 using base::TomlReader;
 
-/// A fraction or ratio without unit.
-double number(TomlReader& reader, const std::string& key, double least, double most) {
-  const double found = reader.required_number(key);
-  if (!(found >= least && found <= most))
-    reader.refuse(key, fmt::format("found {}, accepted: a number from {} to {}", found, least, most));
-  return found;
-}
-
-double quantity(TomlReader& reader, const std::string& key, Dimension dimension, std::string_view example,
-                bool may_be_zero) {
-  const double found = reader.required_quantity(key, dimension, example);
-  if (found < 0.0 || (found == 0.0 && !may_be_zero))
-    reader.refuse(key,
-                  fmt::format("accepted: a quantity {} 0 such as {}", may_be_zero ? ">=" : ">", example));
-  return found;
-}
-
-Variation read_variation(TomlReader& reader, const std::string& key, Dimension dimension,
-                         std::string_view example) {
-  return {.mean = quantity(reader, key, dimension, example, false),
-          .between = quantity(reader, key + "_between_examinees", dimension, example, true),
-          .within = quantity(reader, key + "_within_examinee", dimension, example, true)};
-}
-
-TomlReader section(TomlReader& reader, std::string_view key) {
-  reader.required(key, fmt::format("accepted: a table [{}]", key));
-  return *reader.table(key);
+Variation read_variation(TomlReader& reader, const std::string& key) {
+  return {.mean = reader.quantity(key),
+          .between = reader.quantity(key + "_between_examinees"),
+          .within = reader.quantity(key + "_within_examinee")};
 }
 
 void read_press(TomlReader press, ObserverParameters& p) {
-  p.depth = read_variation(press, "depth", Dimension::Length, "\"4.5 mm\"");
-  p.duration = read_variation(press, "duration", Dimension::Time, "\"0.6 s\"");
-  p.tremor = quantity(press, "tremor", Dimension::Length, "\"0.05 mm\"", true);
-  p.tremor_period = quantity(press, "tremor_period", Dimension::Time, "\"0.1 s\"", false);
-  p.drift = quantity(press, "drift", Dimension::Length, "\"0.2 mm\"", true);
-  p.drift_period = quantity(press, "drift_period", Dimension::Time, "\"2 s\"", false);
+  p.depth = read_variation(press, "depth");
+  p.duration = read_variation(press, "duration");
+  p.tremor = press.quantity("tremor");
+  p.tremor_period = press.quantity("tremor_period");
+  p.drift = press.quantity("drift");
+  p.drift_period = press.quantity("drift_period");
   press.refuse_unknown();
 }
 
+void read_device(TomlReader device, ObserverParameters& p) {
+  p.device.force_scale = device.number("force_scale");
+  p.device.max_force = device.quantity("max_force");
+  device.refuse_unknown();
+}
+
 void read_senses(TomlReader senses, ObserverParameters& p) {
-  p.force_noise = quantity(senses, "force_noise", Dimension::Force, "\"0.02 N\"", true);
-  p.position_noise = quantity(senses, "position_noise", Dimension::Length, "\"0.1 mm\"", true);
-  p.weber_fraction.mean = number(senses, "weber_fraction", 1e-6, 10.0);
-  p.weber_fraction.between = number(senses, "weber_fraction_between_examinees", 0.0, 10.0);
+  p.force_noise = senses.quantity("force_noise");
+  p.position_noise = senses.quantity("position_noise");
+  p.weber_fraction.mean = senses.number("weber_fraction");
+  p.weber_fraction.between = senses.number("weber_fraction_between_examinees");
   senses.refuse_unknown();
 }
 
 void read_decision(TomlReader decision, ObserverParameters& p) {
-  p.lapse_rate = number(decision, "lapse_rate", 0.0, 1.0);
-  p.interval_bias.mean = number(decision, "interval_bias", -10.0, 10.0);
-  p.interval_bias.between = number(decision, "interval_bias_between_examinees", 0.0, 10.0);
+  p.lapse_rate = decision.number("lapse_rate");
+  p.interval_bias.mean = decision.number("interval_bias");
+  p.interval_bias.between = decision.number("interval_bias_between_examinees");
   decision.refuse_unknown();
 }
 
@@ -77,15 +56,12 @@ nlohmann::json as_json(const Variation& variation) {
 ObserverParameters load_observer(const std::filesystem::path& file) {
   ObserverParameters p{.text = base::read_file(file)};
   const toml::table root = base::parse_toml(p.text, file.string());
-  TomlReader reader(root, file.string());
-  p.name = reader.required_text("name");
-  read_press(section(reader, "press"), p);
-  TomlReader device = section(reader, "device");
-  p.device.force_scale = number(device, "force_scale", 1e-6, 1e6);
-  p.device.max_force = quantity(device, "max_force", Dimension::Force, "\"8.5 N\"", false);
-  device.refuse_unknown();
-  read_senses(section(reader, "senses"), p);
-  read_decision(section(reader, "decision"), p);
+  TomlReader reader(root, file.string(), observer_keys());
+  p.name = reader.text("name");
+  read_press(reader.table("press", press_keys()), p);
+  read_device(reader.table("device", device_keys()), p);
+  read_senses(reader.table("senses", senses_keys()), p);
+  read_decision(reader.table("decision", decision_keys()), p);
   reader.refuse_unknown();
   return p;
 }

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/text/key.hpp"
+
 namespace palpate::base {
 class TomlReader;
 }
@@ -44,9 +46,11 @@ struct ProcedureState {
 struct Procedure {
   std::string_view name;  // "constant": procedure.kind in a protocol, and a column
 
+  /// Of [procedure], apart from kind.
+  std::span<const base::Key> keys{};
   /// [procedure], all but kind. What is refused throws std::invalid_argument.
   void (*read)(base::TomlReader& procedure, Protocol& protocol);
-  std::string_view meaning;                                 // in the codebook: how levels are chosen
+  std::string_view meaning;  // in codebook and reference: how levels are chosen
   std::string (*order_in_words)(const Protocol& protocol);  // in which the cells are asked, a sentence
 
   /// The levels that are asked whatever is answered, in order; may be none. Which they are, and how often each,

@@ -6,6 +6,7 @@
 
 #include "base/files/read_file.hpp"
 #include "base/files/sha256.hpp"
+#include "sim/scene/refuse_key.hpp"
 #include "trials/protocol/felt.hpp"
 #include "trials/protocol/protocol.hpp"
 
@@ -117,13 +118,14 @@ void settle_answer(Protocol& protocol, const std::vector<sim::Scene>& scenes) {
   if (!protocol.answer) protocol.answer = told;
 }
 
-FileHash hash_of(const Protocol& protocol, const std::string& name, const std::filesystem::path& file) {
-  try {
-    return {.name = name, .file = file, .sha256 = base::sha256_hex(base::read_file(file))};
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(
-        fmt::format("{}: bodies.{}.mesh: {}", protocol.scene_file.string(), name, error.what()));
-  }
+FileHash hash_of(const sim::Scene& scene, const std::string& name, const std::filesystem::path& file) {
+  return sim::with_place(scene, [&]() -> FileHash {
+    try {
+      return {.name = name, .file = file, .sha256 = base::sha256_hex(base::read_file(file))};
+    } catch (const std::invalid_argument& error) {
+      sim::refuse_key(fmt::format("bodies.{}.mesh", name), error.what());
+    }
+  });
 }
 
 }  // namespace
@@ -141,7 +143,7 @@ Protocol load_protocol(const std::filesystem::path& file) {
 
   protocol.files.push_back({"scene", protocol.scene_file, base::sha256_hex(protocol.scene_text)});
   for (const sim::BodySpec& body : scene.bodies)
-    protocol.files.push_back(hash_of(protocol, body.name, body.mesh));
+    protocol.files.push_back(hash_of(scene, body.name, body.mesh));
   return protocol;
 }
 

@@ -57,41 +57,53 @@ struct FileHash {
 
 enum class DuringInterval { Hidden, Probe, Organs };
 inline constexpr base::EnumWords<DuringInterval, 3> kDuringIntervalWords{
-    {{DuringInterval::Hidden, "hidden"},
-     {DuringInterval::Probe, "probe"},
-     {DuringInterval::Organs, "organs"}}};
+    {{DuringInterval::Hidden, "hidden",
+      "nothing of the organs; with a mouse its pointer and the line of the skin"},
+     {DuringInterval::Probe, "probe", "the probe alone"},
+     {DuringInterval::Organs, "organs", "the organs, as they are pressed"}}};
 
 /// What is asked for: the interval that felt so beside the others.
 enum class Answer { Stiffest, Softest };
 inline constexpr base::EnumWords<Answer, 2> kAnswerWords{
-    {{Answer::Stiffest, "stiffest"}, {Answer::Softest, "softest"}}};
+    {{Answer::Stiffest, "stiffest", "the interval that felt stiffest"},
+     {Answer::Softest, "softest", "the interval that felt softest"}}};
 
 /// In which order the cells of a sitting come.
 enum class CellOrder { Shuffled };
-inline constexpr base::EnumWords<CellOrder, 1> kCellOrderWords{{{CellOrder::Shuffled, "shuffled"}}};
+inline constexpr base::EnumWords<CellOrder, 1> kCellOrderWords{
+    {{CellOrder::Shuffled, "shuffled", "every trial of every cell in one random order"}}};
 
 /// How it is drawn what the intervals of a question hold: by independent coin flips, or every order equally
 /// often within a cell.
 enum class IntervalOrder { Coin, Balanced };
 inline constexpr base::EnumWords<IntervalOrder, 2> kIntervalOrderWords{
-    {{IntervalOrder::Coin, "coin"}, {IntervalOrder::Balanced, "balanced"}}};
+    {{IntervalOrder::Coin, "coin", "an independent fair coin for each trial"},
+     {IntervalOrder::Balanced, "balanced",
+      "either order in half of each cell's trials, whose number is even"}}};
 
 enum class PrimaryAnalysis { PairedComparison, OrderRandomisation };
 inline constexpr base::EnumWords<PrimaryAnalysis, 2> kPrimaryAnalysisWords{
-    {{PrimaryAnalysis::PairedComparison, "paired-comparison"},
-     {PrimaryAnalysis::OrderRandomisation, "order-randomisation"}}};
+    {{PrimaryAnalysis::PairedComparison, "paired-comparison",
+      "the exact binomial test, for `interval = \"coin\"`"},
+     {PrimaryAnalysis::OrderRandomisation, "order-randomisation",
+      "the randomisation test over the orders that could have been drawn, for `interval = \"balanced\"`"}}};
 
 /// On which side of chance the primary test looks.
 enum class Side { Greater, Less, TwoSided };
 inline constexpr base::EnumWords<Side, 3> kSideWords{
-    {{Side::Greater, "greater"}, {Side::Less, "less"}, {Side::TwoSided, "two-sided"}}};
+    {{Side::Greater, "greater", "more correct answers than guessing gives"},
+     {Side::Less, "less", "fewer of them"},
+     {Side::TwoSided, "two-sided", "either"}}};
 
 /// How the p values of the cells' primary tests are adjusted for there being several.
 enum class Adjust { None, Holm, Hochberg, BenjaminiHochberg };
-inline constexpr base::EnumWords<Adjust, 4> kAdjustWords{{{Adjust::None, "none"},
-                                                          {Adjust::Holm, "holm"},
-                                                          {Adjust::Hochberg, "hochberg"},
-                                                          {Adjust::BenjaminiHochberg, "benjamini-hochberg"}}};
+inline constexpr base::EnumWords<Adjust, 4> kAdjustWords{
+    {{Adjust::None, "none", "each cell at alpha by itself"},
+     {Adjust::Holm, "holm", "alpha holds for all cells together"},
+     {Adjust::Hochberg, "hochberg",
+      "the same, where the cells' tests do not depend on each other or rise together"},
+     {Adjust::BenjaminiHochberg, "benjamini-hochberg",
+      "at most alpha of the rejections are expected to be false"}}};
 
 /// What an examinee must do in an interval before it counts.
 struct Exploration {
@@ -168,6 +180,10 @@ Protocol load_protocol(const std::filesystem::path& file);
 /// A protocol by its text alone: validated in itself, but neither scene nor meshes are looked at (scene_text
 /// and files stay empty). For reading the design that a study file holds. Throws as load_protocol() does.
 Protocol parse_protocol(std::string text, const std::filesystem::path& file);
+
+/// Whether a protocol or a condition may be called so, and what may.
+bool is_name(std::string_view name);
+inline constexpr std::string_view kNamesAccepted = "letters, digits, hyphen and underscore";
 
 /// The plan in words, for `palpate check`.
 struct PlanSummary {

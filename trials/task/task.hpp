@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/text/key.hpp"
+
 namespace palpate::base {
 class TomlReader;
 }
@@ -32,7 +34,11 @@ struct Task {
   std::string_view answer_is;          // what an answer's number is: "the number of an interval"
   std::string_view hint, spoken_hint;  // how to answer, as the page shows it and as a screen reader says it
 
-  // The design. What is refused throws std::invalid_argument, as TomlReader::refuse() does.
+  std::string_view meaning{};  // what is asked, a clause, for the reference
+  // The design. `keys` are those of [task] apart from kind and answer, `order_keys` of [order] apart from
+  // cells; their examples fit conditions "soft" and "hard". What is refused throws std::invalid_argument, as
+  // TomlReader::refuse() does.
+  std::span<const base::Key> keys{}, order_keys{};
   void (*read)(base::TomlReader& task, Protocol& protocol);         // [task], all but kind
   void (*read_order)(base::TomlReader& order, Protocol& protocol);  // [order], all but cells
   /// Refuses a primary analysis that does not hold for questions drawn so.

@@ -14,6 +14,8 @@
 #include "app/commands/check/check_scene.hpp"
 #include "app/commands/mesh/mesh_report.hpp"
 #include "base/text/quantity.hpp"
+#include "base/text/toml_reader.hpp"
+#include "trials/observer/observer.hpp"
 
 namespace palpate::app {
 namespace {
@@ -43,9 +45,24 @@ void check_mesh(const CheckOptions& options) {
     fmt::print("{}", to_text(report));
 }
 
+/// Whether a file says what simulated examinees are like.
+bool is_observer(const std::string& file) {
+  return base::read_toml(file).contains("senses");
+}
+
+void check_observer(const CheckOptions& options) {
+  const trials::ObserverParameters observer = trials::load_observer(options.input.file);
+  if (options.format == "json")
+    print_json(nlohmann::ordered_json::parse(trials::to_json(observer)));
+  else
+    fmt::print("{}: sound simulated examinees, right in 75 % where stiffness differs by {:g} %\n",
+               observer.name, 100 * observer.weber_fraction.mean);
+}
+
 void run_check(const CheckOptions& options) {
   const std::string ending = std::filesystem::path(options.input.file).extension();
   if (ending == ".msh" || ending == ".vtu") return check_mesh(options);
+  if (is_observer(options.input.file)) return check_observer(options);
   if (input_kind(options.input) == InputKind::Scene) return print(check_scene(options.input), options.format);
   print(check_protocol(options.input.file), options.format);
 }
@@ -53,7 +70,7 @@ void run_check(const CheckOptions& options) {
 void add_check(CLI::App& command) {
   auto options = std::make_shared<CheckOptions>();
   add_scene(command, options->input);
-  command.get_option("scene")->description("Protocol or scene (TOML), or mesh (MSH, VTU)");
+  command.get_option("scene")->description("Protocol, scene or observer (TOML), or mesh (MSH, VTU)");
   command.add_option("--unit", options->unit, "Unit of a mesh file's coordinates: m, cm, mm or um");
   add_format(command, options->format);
   command.footer(

@@ -85,6 +85,10 @@ ExactScratch::ExactScratch(const Model& model)
   given.reserve(rows);
 }
 
-constinit const ContactLaw kExact{.name = "exact", .prepare = prepare_exact, .solve = solve_exact};
+constinit const ContactLaw kExact{
+    .name = "exact",
+    .meaning = "contact only pushes, and only where bodies touch; both carry the same force",
+    .prepare = prepare_exact,
+    .solve = solve_exact};
 
 }  // namespace palpate::sim

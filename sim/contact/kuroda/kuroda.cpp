@@ -156,6 +156,10 @@ KurodaScratch::KurodaScratch(const Model& model) : PrescribedScratch(model) {
   }
 }
 
-constinit const ContactLaw kKuroda{.name = "kuroda", .prepare = prepare_kuroda, .solve = solve_kuroda};
+constinit const ContactLaw kKuroda{
+    .name = "kuroda",
+    .meaning = "they share their displacement by their stiffness (Kuroda et al. 2003)",
+    .prepare = prepare_kuroda,
+    .solve = solve_kuroda};
 
 }  // namespace palpate::sim

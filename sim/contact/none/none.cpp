@@ -13,6 +13,9 @@ SolveReport solve_nothing(const Model&, const FreeState&, std::span<const double
 
 }  // namespace
 
-constinit const ContactLaw kNone{.name = kNoContact, .prepare = prepare_nothing, .solve = solve_nothing};
+constinit const ContactLaw kNone{.name = kNoContact,
+                                 .meaning = "bodies do not act on each other",
+                                 .prepare = prepare_nothing,
+                                 .solve = solve_nothing};
 
 }  // namespace palpate::sim

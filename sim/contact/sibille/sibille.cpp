@@ -57,6 +57,10 @@ SolveReport solve_sibille(const Model& model, const FreeState& free, std::span<c
 
 }  // namespace
 
-constinit const ContactLaw kSibille{.name = "sibille", .prepare = prepare_sibille, .solve = solve_sibille};
+constinit const ContactLaw kSibille{
+    .name = "sibille",
+    .meaning = "they meet halfway, whatever their stiffness (Sibille et al. 2002)",
+    .prepare = prepare_sibille,
+    .solve = solve_sibille};
 
 }  // namespace palpate::sim

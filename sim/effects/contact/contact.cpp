@@ -10,7 +10,7 @@ namespace {
 
 // A choice of pairing is a part of contact that this version does not have.
 constexpr std::array<EffectKey, 1> kLaterOfContact{
-    {{"contact", "pairing", "a choice of pairing (contact model exact)"}}};
+    {{"contact", {.name = "pairing"}, "a choice of pairing (contact model exact)"}}};
 
 bool is_present(const Scene& scene, const std::string& name) {
   return std::ranges::any_of(scene.bodies,

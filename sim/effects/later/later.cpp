@@ -18,9 +18,10 @@ EffectState no_large_deformation(const Scene&) {
   return {false, "no key calls for it (not in this version)"};
 }
 
-constexpr std::array kFrictionKeys{EffectKey{"contact", "friction", "friction"}};
-constexpr std::array kViscosityKeys{EffectKey{"bodies", "relaxation", "viscosity"}};
-constexpr std::array kVolumetricKeys{EffectKey{"bodies", "volumetric", "the near-incompressible treatment"}};
+constexpr std::array kFrictionKeys{EffectKey{"contact", {.name = "friction"}, "friction"}};
+constexpr std::array kViscosityKeys{EffectKey{"bodies", {.name = "relaxation"}, "viscosity"}};
+constexpr std::array kVolumetricKeys{
+    EffectKey{"bodies", {.name = "volumetric"}, "the near-incompressible treatment"}};
 
 constexpr Effect kFriction{.name = "friction", .keys = kFrictionKeys, .state = no_friction};
 constexpr Effect kViscosity{.name = "viscosity", .keys = kViscosityKeys, .state = no_viscosity};

@@ -52,6 +52,10 @@ void spread_pad(const ProbeSpec& spec, const TetMesh& mesh, const Surface& surfa
 }  // namespace
 
 constinit const ProbeKind kPad{
-    .keys = {.name = "pad", .takes_radius = true}, .hold = spread_pad, .prescribe = prescribe_mean};
+    .keys = {.name = "pad",
+             .meaning = "the pad of a finger: the surface within `radius` of it, most in the middle",
+             .takes_radius = true},
+    .hold = spread_pad,
+    .prescribe = prescribe_mean};
 
 }  // namespace palpate::sim

@@ -13,6 +13,10 @@ void hold_one_node(const ProbeSpec&, const TetMesh&, const Surface&, int middle,
 }  // namespace
 
 constinit const ProbeKind kPoint{
-    .keys = {.name = "point", .takes_radius = false}, .hold = hold_one_node, .prescribe = prescribe_mean};
+    .keys = {.name = "point",
+             .meaning = "one node of the mesh, as the manipulating point of Kuroda et al. 2003",
+             .takes_radius = false},
+    .hold = hold_one_node,
+    .prescribe = prescribe_mean};
 
 }  // namespace palpate::sim

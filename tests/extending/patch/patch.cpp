@@ -19,6 +19,8 @@ void hold(const ProbeSpec&, const TetMesh&, const Surface& surface, int middle, 
 }  // namespace
 
 constinit const ProbeKind kPatch{
-    .keys = {.name = "patch", .takes_radius = false}, .hold = hold, .prescribe = prescribe_mean};
+    .keys = {.name = "patch", .meaning = "a node and its neighbours", .takes_radius = false},
+    .hold = hold,
+    .prescribe = prescribe_mean};
 
 }  // namespace palpate::sim

@@ -11,13 +11,18 @@ namespace palpate::sim {
 namespace {
 
 std::vector<double> read(base::TomlReader& body, std::string_view key) {
-  const double share = body.required_number(key);
-  if (!(share > 0.0 && share < 1.0))
-    body.refuse(key, fmt::format("found {}, accepted: a share between 0 and 1", share));
-  return {share};
+  return {body.number(key)};
 }
 
-constexpr std::array kKeys{EffectKey{"bodies", "softening", "softening", read}};
+constexpr std::array kKeys{
+    EffectKey{.table = "bodies",
+              .key = {.name = "softening",
+                      .takes = base::takes_number({.least = 0.0, .most = 1.0, .open = true}),
+                      .example = "0.2",
+                      .absent = "the material as it is",
+                      .meaning = "The share by which the body is softer than its material says."},
+              .calls_for = "softening",
+              .read = read}};
 
 EffectState state(const Scene& scene) {
   for (const BodySpec& body : scene.bodies)

@@ -31,7 +31,9 @@ TEST(Softening, IsRefusedByItsKey) {
   const std::string scene = test::write_two_boxes();
   const auto refused = palpate::test::run({"press", scene, "--set", "bodies.upper.softening=1.5"});
   EXPECT_EQ(refused.exit_code, 1);
-  EXPECT_THAT(refused.err, HasSubstr("bodies.upper.softening: found 1.5, accepted: a share between 0 and 1"));
+  EXPECT_THAT(
+      refused.err,
+      HasSubstr("bodies.upper.softening: found 1.5, accepted: a number greater than 0 and less than 1"));
 }
 
 TEST(Softening, IsListedByCheck) {

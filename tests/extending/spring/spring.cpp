@@ -82,6 +82,9 @@ SolveReport solve(const Model& model, const FreeState& free, std::span<const dou
 
 }  // namespace
 
-constinit const ContactLaw kSpring{.name = "spring", .prepare = prepare, .solve = solve};
+constinit const ContactLaw kSpring{.name = "spring",
+                                   .meaning = "they push each other apart like springs",
+                                   .prepare = prepare,
+                                   .solve = solve};
 
 }  // namespace palpate::sim

@@ -19,8 +19,30 @@ using trials::Trial;
 
 // The design.
 
+constexpr std::array kKeys{
+    base::Key{.name = "other",
+              .takes = base::kText,
+              .example = "\"soft\"",
+              .meaning = "The condition that two of the intervals present."},
+    base::Key{.name = "correct",
+              .takes = base::kText,
+              .example = "\"hard\"",
+              .meaning = "The condition that one interval presents: that interval is the correct answer."},
+};
+
+base::Words coin() {
+  return {.now = {{"coin", "each interval is as likely as any other to hold the correct condition"}},
+          .later = {}};
+}
+constexpr std::array kOrderKeys{
+    base::Key{.name = "interval",
+              .takes = base::takes_word(coin),
+              .example = "\"coin\"",
+              .meaning = "How it is drawn which interval holds what."},
+};
+
 void read(base::TomlReader& task, Protocol& protocol) {
-  const std::string other = task.required_text("other"), correct = task.required_text("correct");
+  const std::string other = task.text("other"), correct = task.text("correct");
   if (other == correct) task.refuse("other", "accepted: another condition than the correct one");
   protocol.presented = {trials::condition_index(task, "other", protocol, other),
                         trials::condition_index(task, "correct", protocol, correct)};
@@ -28,7 +50,7 @@ void read(base::TomlReader& task, Protocol& protocol) {
 }
 
 void read_order(base::TomlReader& order, Protocol&) {
-  trials::word(order, "interval", std::array<std::string_view, 1>{"coin"});
+  order.word("interval");
 }
 
 void check_primary(const base::TomlReader& analysis, const Protocol& protocol) {
@@ -107,6 +129,9 @@ constexpr trials::Task kThreeInterval{.name = "3IFC",
                                       .answer_is = "the number of an interval",
                                       .hint = "Press 1, 2 or 3, or click.",
                                       .spoken_hint = "Press 1, 2 or 3.",
+                                      .meaning = "three intervals, one of which holds the condition",
+                                      .keys = kKeys,
+                                      .order_keys = kOrderKeys,
                                       .read = read,
                                       .read_order = read_order,
                                       .check_primary = check_primary,

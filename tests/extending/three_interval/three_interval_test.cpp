@@ -56,5 +56,23 @@ TEST(ThreeInterval, IsPlayedStoredAndVerified) {
   EXPECT_EQ(test::run({"export", study, "--as", "csv", "--out", folder / "csv"}).exit_code, 0);
 }
 
+// A study to start from, and the reference, know a task as soon as it stands in the list.
+TEST(ThreeInterval, StandsInANewStudyAndInTheReference) {
+  const test::TemporaryFolder folder;
+  const std::string study = folder / "mine";
+  const test::Outcome made = test::run({"new", study, "--task", "3IFC", "--procedure", "until-wrong"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const trials::Protocol protocol = trials::load_protocol(study + "/protocol.toml");
+  EXPECT_EQ(protocol.task, &kThreeInterval);
+  EXPECT_EQ(protocol.procedure->name, "until-wrong");
+  const std::string reference = test::run({"new", "--reference", "protocol"}).out;
+  for (const char* shown : {"`[task]`, `kind = \"3IFC\"`", "`other = \"soft\"`",
+                            "`[order]`, `task.kind = \"3IFC\"`", "`[procedure]`, `kind = \"until-wrong\"`"})
+    EXPECT_THAT(reference, testing::HasSubstr(shown));
+  const std::string scene = test::run({"new", "--reference", "scene"}).out;
+  for (const char* shown : {"`softening = 0.2`", "`\"patch\"`: a node and its neighbours", "`\"spring\"`: "})
+    EXPECT_THAT(scene, testing::HasSubstr(shown));
+}
+
 }  // namespace
 }  // namespace palpate::tasks

@@ -1,6 +1,11 @@
 #include "tests/extending/until_wrong/until_wrong.hpp"
 
-#include "trials/protocol/reading.hpp"
+#include <fmt/format.h>
+
+#include <array>
+
+#include "base/text/toml_reader.hpp"
+#include "trials/protocol/protocol.hpp"
 
 namespace palpate::trials {
 namespace {
@@ -8,8 +13,15 @@ namespace {
 // The state's memory: a procedure keeps numbers and nothing else.
 enum : std::size_t { kCell, kAsked };
 
+constexpr std::array kKeys{
+    base::Key{.name = "trials_per_examinee_per_cell",
+              .takes = base::takes_whole(1, 1000),
+              .example = "8",
+              .meaning = "How many trials of a cell an examinee sits at most."},
+};
+
 void read(base::TomlReader& procedure, Protocol& protocol) {
-  protocol.trials_per_examinee_per_cell = whole_number(procedure, "trials_per_examinee_per_cell", 1, 1000);
+  protocol.trials_per_examinee_per_cell = static_cast<int>(procedure.whole("trials_per_examinee_per_cell"));
 }
 
 std::string order_in_words(const Protocol& protocol) {
@@ -41,6 +53,7 @@ void tell(ProcedureState& state, const Told& told) {
 }  // namespace
 
 constexpr Procedure kUntilWrong{.name = "until-wrong",
+                                .keys = kKeys,
                                 .read = read,
                                 .meaning = "every cell until an answer is wrong",
                                 .order_in_words = order_in_words,

@@ -50,11 +50,11 @@ TEST(Effects, OfLaterVersionsAreRefusedByTheirKeys) {
   EXPECT_EQ(effect_keys().size(), 4U);
   for (const EffectKey& later : effect_keys()) {
     const std::string table = later.table == "bodies" ? "bodies.upper" : std::string(later.table);
-    const std::vector<Override> calling{{table + "." + std::string(later.key), "1"}};
+    const std::vector<Override> calling{{table + "." + std::string(later.key.name), "1"}};
     EXPECT_THAT([&] { load_scene(write_two_boxes(), calling); },
                 testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr(
-                    fmt::format("{}.{}: calls for {}, which this version does not simulate", table, later.key,
-                                later.calls_for))));
+                    fmt::format("{}.{}: calls for {}, which this version does not simulate", table,
+                                later.key.name, later.calls_for))));
   }
 }
 

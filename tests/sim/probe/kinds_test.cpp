@@ -20,8 +20,12 @@ TEST(ProbeKinds, HaveNamesOfTheirOwnThatASceneAccepts) {
     EXPECT_TRUE(names.insert(kind->keys.name).second) << kind->keys.name;
     EXPECT_EQ(&probe_kind(kind->keys.name), kind);
   }
-  const AcceptedWords words = probe_kind_words();
-  EXPECT_EQ(std::set<std::string_view>(words.now.begin(), words.now.end()), names);
+  const base::Words words = probe_kind_words();
+  ASSERT_EQ(words.now.size(), names.size());
+  for (const base::Word& known : words.now) {
+    EXPECT_TRUE(names.contains(known.word)) << known.word;
+    EXPECT_FALSE(known.meaning.empty()) << known.word;  // for the reference
+  }
   for (const std::string_view later : words.later) EXPECT_FALSE(names.contains(later));
   EXPECT_EQ(probe_kind_keys().size(), names.size());
   EXPECT_THROW(probe_kind("other"), std::invalid_argument);

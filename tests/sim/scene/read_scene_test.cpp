@@ -70,10 +70,13 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"NoUnit", "\"1 MPa\"", "\"1\"",
                 "scene.toml:5: bodies.upper.young_modulus: \"1\" has no unit"},
         Refusal{"NumberForQuantity", "\"1 MPa\"", "1.0", "accepted: a quantity with its unit"},
-        Refusal{"PoissonOneHalf", "0.40", "0.5", "bodies.upper.poisson_ratio: found 0.5"},
+        Refusal{
+            "PoissonOneHalf", "0.40", "0.5",
+            "scene.toml:6: bodies.upper.poisson_ratio: found 0.5, accepted: a number greater than -1 and less than 0.5"},
         Refusal{"PoissonBelow", "0.40", "-1.0", "bodies.upper.poisson_ratio: found -1"},
         Refusal{"PoissonNaN", "0.40", "nan", "bodies.upper.poisson_ratio: found nan"},
-        Refusal{"NegativeModulus", "\"1 MPa\"", "\"-1 MPa\"", "bodies.upper.young_modulus: found -1000000"},
+        Refusal{"NegativeModulus", "\"1 MPa\"", "\"-1 MPa\"",
+                "scene.toml:5: bodies.upper.young_modulus: found \"-1 MPa\", accepted: a quantity > 0"},
         Refusal{"UnknownBody", "[[\"upper\", \"lower\"]]", "[[\"upper\", \"liver\"]]",
                 "\"liver\" is no body"},
         Refusal{"TouchesItself", "[[\"upper\", \"lower\"]]", "[[\"upper\", \"upper\"]]", "touches itself"},
@@ -90,6 +93,37 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(LoadScene, NamesAMissingFile) {
   EXPECT_THAT([] { load_scene("no/such/scene.toml"); },
               ThrowsMessage<std::invalid_argument>(HasSubstr("no/such/scene.toml: no such file")));
+}
+
+// A mesh is looked for when the scene is compiled; the message leads back to the line that names it.
+TEST(Compile, AMeshThatIsMissingOrNoneIsToldWithTheLineThatNamesIt) {
+  const auto missing = scene_with("mesh = \"lower.msh\"", "mesh = \"lowest.msh\"");
+  EXPECT_THAT([&] { test::compile_scene(missing); },
+              ThrowsMessage<std::invalid_argument>(AllOf(HasSubstr("scene.toml:11: bodies.lower.mesh: "),
+                                                         HasSubstr("lowest.msh: no such file"))));
+  const auto damaged = test::write_two_boxes();
+  std::ofstream(damaged.parent_path() / "lower.msh") << "no mesh";
+  EXPECT_THAT([&] { test::compile_scene(damaged); },
+              ThrowsMessage<std::invalid_argument>(
+                  AllOf(HasSubstr("scene.toml:11: bodies.lower.mesh: "), HasSubstr("lower.msh"))));
+  // Asked for by an override: no line of the file says so.
+  EXPECT_THAT(
+      [] {
+        test::compile_scene(test::write_two_boxes(), std::vector<Override>{{"bodies.lower.mesh", "x.msh"}});
+      },
+      ThrowsMessage<std::invalid_argument>(HasSubstr("scene.toml: bodies.lower.mesh: ")));
+}
+
+TEST(Compile, WhatTheMeshDoesNotHaveIsToldWithItsLine) {
+  EXPECT_THAT([] { test::compile_scene(scene_with("fixed = \"sides\"", "fixed = \"sacrum\"")); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr("scene.toml:7: bodies.upper.fixed: ")));
+}
+
+TEST(LoadScene, TheLineOfAKeyIsNoPartOfTheScene) {
+  const Scene scene = load_scene(test::write_two_boxes());
+  Scene moved = scene;
+  for (auto& [key, line] : moved.lines.of_key) ++line;
+  EXPECT_EQ(moved, scene);
 }
 
 TEST(Compile, NamesTheGroupsThatAMeshHas) {

@@ -177,7 +177,8 @@ TEST(LoadObserver, RefusesWhatItDoesNotKnow) {
     return test::message_of<std::invalid_argument>([&] { load_observer(folder / "o.toml"); });
   };
   EXPECT_THAT(refusal("\"4.5 mm\"", "\"4.5\""), HasSubstr("press.depth"));
-  EXPECT_THAT(refusal("\"4.5 mm\"", "\"-4.5 mm\""), HasSubstr("press.depth: accepted: a quantity > 0"));
+  EXPECT_THAT(refusal("\"4.5 mm\"", "\"-4.5 mm\""),
+              HasSubstr("press.depth: found \"-4.5 mm\", accepted: a quantity > 0"));
   EXPECT_THAT(refusal("lapse_rate  ", "lapserate  "), HasSubstr("decision.lapse_rate: is missing"));
   EXPECT_THAT(refusal("= 0.02 ", "= 1.5 "),
               HasSubstr("decision.lapse_rate: found 1.5, accepted: a number from 0 to 1"));

@@ -72,6 +72,18 @@ TEST(Protocol, ASceneThatIsNotThereIsToldWithTheLineThatNamesIt) {
               AllOf(StartsWith("p.toml:"), HasSubstr(": scene: "), HasSubstr("nowhere.toml: no such file")));
 }
 
+TEST(Protocol, AMeshThatIsNotThereIsToldWithTheLineOfTheSceneThatNamesIt) {
+  const test::TemporaryFolder folder;
+  test::write(folder / "scene.toml", test::read(std::filesystem::path(palpate::test::source_folder()) /
+                                                "data/scenes/rectal-palpation.toml"));
+  test::write(folder / "p.toml",
+              test::with(test::shipped_text(),
+                         std::string(palpate::test::source_folder()) + "/data/scenes/rectal-palpation.toml",
+                         "scene.toml"));
+  EXPECT_THAT(test::message_of<std::invalid_argument>([&] { load_protocol(folder / "p.toml"); }),
+              AllOf(HasSubstr("scene.toml:7: bodies.rectum.mesh: "), HasSubstr("rectum.msh: no such file")));
+}
+
 TEST(Protocol, StimuliAreScenesWithCellAndConditionInPlace) {
   const Protocol protocol =
       load_protocol(std::filesystem::path(palpate::test::source_folder()) / "protocols/kuroda2003.toml");
@@ -183,7 +195,8 @@ TEST(Protocol, WhatTheSceneDoesNotTakeIsRefusedWithItsLine) {
 TEST(Protocol, APlanThatNobodyCanFollowIsRefused) {
   EXPECT_THAT(refusal_with("\"3 mm\"", "\"30 mm\""),
               AllOf(HasSubstr("exploration.min_depth: found 30 mm"), HasSubstr("presses 5 mm deep")));
-  EXPECT_THAT(refusal_with("\"10 s\"", "\"1 us\""), HasSubstr("exploration.max_time: is too short"));
+  EXPECT_THAT(refusal_with("\"10 s\"", "\"1 us\""),
+              HasSubstr("exploration.max_time: found \"1 us\", accepted: a quantity >= 0.5 s"));
 }
 
 TEST(Protocol, ConditionsAndLevelsThatFeelAlikeAreRefused) {

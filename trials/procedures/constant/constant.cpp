@@ -1,16 +1,27 @@
 #include "trials/procedures/constant/constant.hpp"
 
+#include <fmt/format.h>
+
+#include <array>
+
+#include "base/text/toml_reader.hpp"
 #include "trials/plan/random.hpp"
-#include "trials/protocol/reading.hpp"
+#include "trials/protocol/protocol.hpp"
 
 namespace palpate::trials {
 namespace {
 
-constexpr std::int64_t kMostTrials = 1000;  // of one cell in one sitting: more is a slip of the keyboard
+constexpr double kMostTrials = 1000;  // of one cell in one sitting: more is a slip of the keyboard
+
+constexpr std::array kKeys{
+    base::Key{.name = "trials_per_examinee_per_cell",
+              .takes = base::takes_whole(1, kMostTrials),
+              .example = "8",
+              .meaning = "How many trials of each cell an examinee sits."},
+};
 
 void read(base::TomlReader& procedure, Protocol& protocol) {
-  protocol.trials_per_examinee_per_cell =
-      whole_number(procedure, "trials_per_examinee_per_cell", 1, kMostTrials);
+  protocol.trials_per_examinee_per_cell = static_cast<int>(procedure.whole("trials_per_examinee_per_cell"));
 }
 
 std::vector<ChosenLevel> draw_ahead(const Protocol& protocol, Generator& generator) {
@@ -33,6 +44,7 @@ std::optional<ChosenLevel> next(const ProcedureState& state, Generator&) {
 }  // namespace
 
 constexpr Procedure kConstant{.name = "constant",
+                              .keys = kKeys,
                               .read = read,
                               .meaning = "every level a fixed number of times",
                               .order_in_words = order_in_words,
