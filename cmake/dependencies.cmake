@@ -20,13 +20,16 @@ pkg_check_modules(OSMESA REQUIRED osmesa)
 add_library(palpate_osmesa INTERFACE)  # headers alone: the library is loaded when something is drawn
 target_include_directories(palpate_osmesa SYSTEM INTERFACE ${OSMESA_INCLUDE_DIRS})
 target_link_libraries(palpate_osmesa INTERFACE ${CMAKE_DL_LIBS})
+pkg_check_modules(FREETYPE REQUIRED freetype2)
+add_library(palpate_freetype INTERFACE)  # likewise
+target_include_directories(palpate_freetype SYSTEM INTERFACE ${FREETYPE_INCLUDE_DIRS})
 
 # SuiteSparse in Debian 12 ships neither a CMake nor a pkg-config file.
 find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
 find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
-add_library(palpate_cholmod INTERFACE)
+add_library(palpate_cholmod INTERFACE)  # headers alone: the library is loaded when a body is condensed
 target_include_directories(palpate_cholmod SYSTEM INTERFACE ${CHOLMOD_INCLUDE_DIR})
-target_link_libraries(palpate_cholmod INTERFACE ${CHOLMOD_LIBRARY})
+target_link_libraries(palpate_cholmod INTERFACE ${CMAKE_DL_LIBS})
 
 # libcsv ships neither.
 find_path(CSV_INCLUDE_DIR csv.h REQUIRED)

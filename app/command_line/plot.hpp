@@ -7,14 +7,26 @@
 namespace palpate::app {
 
 struct PlotSeries {
-  std::string name;  // in the key
+  std::string name;  // in the key; one of this name in another panel looks the same
   std::vector<double> x{};
-  std::vector<double> y{};  // as many; a value that is not finite is a gap
-  bool dashed = false;      // a limit or a comparison rather than a result
+  std::vector<double> y{};     // as many; a value that is not finite is a gap
+  std::vector<double> high{};  // as many, or none: a band from y up to here
 };
 
-/// A line plot: series over a common axis, in colours that colour-blind readers tell apart, and each with a
-/// mark of its own, so that it can be read in black and white.
+/// Series over axes of their own, which are the same in all panels.
+struct PlotPanel {
+  std::string title{};
+  std::vector<PlotSeries> series{};
+};
+
+/// A line across every panel with its words on it.
+struct PlotLimit {
+  std::string name;
+  double y = 0.0;
+};
+
+/// A line plot: panels side by side over common axes, in colours that colour-blind readers tell apart, and each
+/// series with a mark and dashes of its own, so that it can be read in black and white.
 struct Plot {
   std::string title;
   std::string note{};   // small, under the title: machine, versions, source
@@ -22,7 +34,8 @@ struct Plot {
   std::string y_label;
   bool log_x = false;
   bool log_y = false;
-  std::vector<PlotSeries> series{};
+  std::vector<PlotPanel> panels{};
+  std::vector<PlotLimit> limits{};
 };
 
 /// Throws std::invalid_argument for a file name that ends in neither .svg nor .png, and for a folder that is

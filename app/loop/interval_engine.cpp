@@ -44,7 +44,7 @@ double IntervalEngine::probe_force() {
   const sim::Probe& finger = model_->probes.front();
   probes_.front().from_rest = probe_.displacement;
   const sim::CycleResult result = simulation_.step(probes_, kCycleSeconds);
-  if (result.solve.stop != sim::Stop::Converged) return std::numeric_limits<double>::quiet_NaN();
+  if (!sim::solved(result.solve.stop)) return std::numeric_limits<double>::quiet_NaN();
   force_on_finger_ = result.probe_forces.front();
   return sim::normal_force(finger, force_on_finger_);
 }

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "sim/contact/exact/exact.hpp"
 #include "sim/contact/kuroda/kuroda.hpp"
 #include "sim/contact/none/none.hpp"
 #include "sim/contact/sibille/sibille.hpp"
@@ -20,8 +21,8 @@ constexpr std::array kLaws{
     &kNone,
     &kSibille,
     &kKuroda,
+    &kExact,
 };
-constexpr std::array<std::string_view, 1> kLaterLaws{"exact"};
 
 const std::vector<std::string_view>& law_names() {
   static const std::vector<std::string_view> names = [] {
@@ -53,7 +54,7 @@ std::string choice_of_contact_models() {
 }
 
 base::Words contact_model_words() {
-  base::Words words{.now = {}, .later = {kLaterLaws.begin(), kLaterLaws.end()}};
+  base::Words words;
   for (const ContactLaw* law : kLaws) words.now.push_back({law->name, law->meaning});
   return words;
 }

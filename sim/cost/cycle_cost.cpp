@@ -16,6 +16,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr std::size_t kNeighbours = 4;  // on each side
+
 double microseconds_since(Clock::time_point start) {
   return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
 }
@@ -154,6 +156,15 @@ CycleTimes time_cycles(const std::vector<PressPose>& poses, const CycleSampling&
   return times;
 }
 
+/// Times at a pose and at its neighbours [us].
+std::vector<double> times_around(const std::vector<std::vector<double>>& by_pose, std::size_t pose) {
+  std::vector<double> times;
+  const std::size_t first = pose - std::min(pose, kNeighbours);
+  for (std::size_t p = first; p < std::min(pose + kNeighbours + 1, by_pose.size()); ++p)
+    times.insert(times.end(), by_pose[p].begin(), by_pose[p].end());
+  return times;
+}
+
 }  // namespace
 
 CycleCost measure_cycle(const Model& model, const ContactLaw& law, const CycleSampling& sampling) {
@@ -172,8 +183,10 @@ CycleCost measure_cycle(const Model& model, const ContactLaw& law, const CycleSa
   cost.total = percentiles_of(std::move(times.total));
   for (std::size_t p = 0; p < poses.size(); ++p) {
     cost.depths.push_back(poses[p].depth);
-    cost.depth_medians.push_back(percentiles_of(std::move(times.by_pose[p])).median);
+    cost.depth_p999.push_back(percentiles_of(times_around(times.by_pose, p)).p999);
   }
+  for (std::size_t p = 0; p < poses.size(); ++p)
+    cost.depth_medians.push_back(percentiles_of(std::move(times.by_pose[p])).median);
 
   const CycleResult deepest = whole.step(poses.back().probes, kCyclePeriod);
   for (const PairSummary& pair : deepest.pairs) cost.active += pair.active;

@@ -26,12 +26,14 @@ struct CycleCost {
   std::string_view law{};               // its name
   std::vector<double> depths{};         // of the poses [m]
   std::vector<double> depth_medians{};  // of the whole cycle at each of them [us]
-  bool touching = false;                // false: no pose of the press brings bodies together
-  int active = 0;                       // (node, polygon) pairs at the deepest pose
-  int cycles = 0;                       // that were timed
-  long interruptions = 0;               // meanwhile, by other programs: they are in the slowest times
-  Percentiles deformation{};            // by the probes alone: the same cycle without contact
-  Percentiles interaction{};            // detection and contact: the rest of the cycle
+  std::vector<double>
+      depth_p999{};           // likewise, of it and its 4 neighbours on each side: one has too few cycles
+  bool touching = false;      // false: no pose of the press brings bodies together
+  int active = 0;             // (node, polygon) pairs at the deepest pose
+  int cycles = 0;             // that were timed
+  long interruptions = 0;     // meanwhile, by other programs: they are in the slowest times
+  Percentiles deformation{};  // by the probes alone: the same cycle without contact
+  Percentiles interaction{};  // detection and contact: the rest of the cycle
   Percentiles total{};
   double limit = 0.0;           // median time to read the final contact set's compliance once [us]
   std::size_t limit_bytes = 0;  // of it

@@ -32,7 +32,7 @@ double normal_force(const Probe& probe, const Vec3& force_on_finger) {
 
 void require_solved(const Press& press) {
   for (const PressStep& step : press.curve)
-    if (step.solve.stop != Stop::Converged)
+    if (!solved(step.solve.stop))
       throw std::runtime_error(fmt::format("the displacements could not be solved at a depth of {:g} mm ({})",
                                            1e3 * step.depth, to_string(step.solve.stop)));
 }

@@ -18,26 +18,30 @@ Simulation::Simulation(const Model& model)
     const Eigen::Index size = 3 * model.bodies[i].rest.cols();
     free_.motion.push_back({.displacement = Eigen::VectorXd::Zero(size)});
     free_solves_.emplace_back(model, i, 0);
-    response_.displacement.emplace_back(Eigen::VectorXd::Zero(size));
     response_.loads.on_body.emplace_back(Eigen::VectorXd::Zero(size));
   }
 }
 
 void Simulation::reset() {
   std::ranges::fill(memory_, 0.0);
+  if (law_) law_->reset();
   clear_response();
+}
+
+Eigen::VectorXd Simulation::displacement(int body) const {
+  const Body& moved = model_->bodies[body];
+  return 1.0 / moved.young_modulus * (moved.compliance->touch_touch * response_.loads.on_body[body]);
 }
 
 FreeMotion Simulation::motion() const {
   FreeMotion motion;
-  for (const Eigen::VectorXd& displacement : response_.displacement)
-    motion.push_back({.displacement = displacement, .moved = true});
+  for (int body = 0; body < std::ssize(model_->bodies); ++body)
+    motion.push_back({.displacement = displacement(body), .moved = true});
   return motion;
 }
 
 void Simulation::clear_response() {
   for (Eigen::VectorXd& forces : response_.loads.on_body) forces.setZero();
-  for (Eigen::VectorXd& displacement : response_.displacement) displacement.setZero();
   std::ranges::fill(response_.probe_forces, Vec3(Vec3::Zero()));
   if (law_) std::ranges::fill(law_->summaries, PairSummary{});
 }
@@ -51,7 +55,7 @@ SolveReport Simulation::solve(ProbeDisplacements probes) {
   if (report.stop == Stop::Converged && law_)
     report = model_->law->solve(*model_, free_, memory_, *law_, response_);
   const auto finite = [](const Vec3& force) { return force.allFinite(); };
-  if (report.stop == Stop::Converged && !std::ranges::all_of(response_.probe_forces, finite))
+  if (solved(report.stop) && !std::ranges::all_of(response_.probe_forces, finite))
     report.stop = Stop::NotFinite;
   return report;
 }
@@ -60,7 +64,7 @@ CycleResult Simulation::step(ProbeDisplacements probes, double dt) {
   assert(probes.size() == model_->probes.size());
   clear_response();
   const SolveReport report = solve(probes);
-  if (report.stop != Stop::Converged)
+  if (!solved(report.stop))
     clear_response();  // half a result would be felt as another contact model
   else if (!memory_.empty())
     model_->law->advance(*model_, *law_, dt, memory_);

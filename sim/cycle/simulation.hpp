@@ -41,8 +41,8 @@ class Simulation {
 
   // Of the last cycle.
   const Loads& loads() const { return response_.loads; }
-  /// Of the touchable nodes of a body, 3t [m].
-  const Eigen::VectorXd& displacement(int body) const { return response_.displacement[body]; }
+  /// Of the touchable nodes of a body under these loads, C f / E, 3t [m]. Allocates.
+  Eigen::VectorXd displacement(int body) const;
   /// The displacements of all bodies, each taken to have moved. Allocates.
   FreeMotion motion() const;
 

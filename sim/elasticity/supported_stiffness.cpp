@@ -1,6 +1,5 @@
 #include "sim/elasticity/supported_stiffness.hpp"
 
-#include <cholmod.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "sim/elasticity/cholmod.hpp"
 #include "sim/elasticity/supports.hpp"
 
 namespace palpate::sim {
@@ -20,6 +20,7 @@ using Matrix = Eigen::SparseMatrix<double, Eigen::ColMajor, Index>;
 
 struct Common {
   Common() {
+    load_cholmod();
     cholmod_l_start(&settings);
     settings.print = 0;
     settings.error_handler = nullptr;

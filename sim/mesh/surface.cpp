@@ -43,8 +43,10 @@ Surface extract_surface(const TetMesh& mesh) {
 
   Surface surface;
   surface.triangles.reserve(single.size());
+  surface.behind.reserve(single.size());
   for (const Face& face : single) {
     surface.triangles.push_back(face.corners);
+    surface.behind.push_back(face.tetrahedron);
     surface.nodes.insert(surface.nodes.end(), face.corners.begin(), face.corners.end());
   }
   std::ranges::sort(surface.nodes);

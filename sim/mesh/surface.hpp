@@ -10,6 +10,7 @@ namespace palpate::sim {
 struct Surface {
   std::vector<Triangle> triangles{};  // node indices
   std::vector<int> nodes{};           // ascending, each node of a triangle once
+  std::vector<int> behind{};          // of each triangle, the tetrahedron that it belongs to
 };
 
 Surface extract_surface(const TetMesh& mesh);

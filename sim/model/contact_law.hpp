@@ -21,12 +21,16 @@ struct PairSummary {
 };
 
 /// Buffers and warm starts of a law for one model: a law derives its own from it. All storage is taken when
-/// it is made. No force depends on what it holds from the cycle before.
+/// it is made. What it holds from the cycle before changes a force by no more than the solver's tolerance (1e-10),
+/// and after a reset not at all.
 struct LawScratch {
   LawScratch() = default;
   LawScratch(const LawScratch&) = delete;
   LawScratch& operator=(const LawScratch&) = delete;
   virtual ~LawScratch() = default;
+
+  /// Forgets every warm start.
+  virtual void reset() {}
 
   std::vector<PairSummary> summaries{};  // one a pair of bodies, in the model's order
 };

@@ -15,11 +15,18 @@ struct Loads {
 /// What the bodies have come to in a cycle: first by the probes alone, then with what a contact law adds.
 struct Response {
   Loads loads{};
-  std::vector<Eigen::VectorXd> displacement{};  // of the touchable nodes of each body, 3t [m]
-  std::vector<Vec3> probe_forces{};             // of each probe on its body [N]
+  std::vector<Vec3> probe_forces{};  // of each probe on its body [N]
 };
 
 /// Displacements of the drawn nodes of a body under loads [m], 3d entries, for frames. Outside the cycle.
 Eigen::VectorXf deform(const Model& model, int body, const Loads& loads);
+
+/// A whole body under loads, 3 x n each.
+struct WholeBody {
+  Eigen::Matrix3Xd force{};         // on each node [N]
+  Eigen::Matrix3Xd displacement{};  // of each node [m]
+};
+/// Of each body, by the uncondensed problem: slow, for pictures and files.
+std::vector<WholeBody> whole_bodies(const Model& model, const Loads& loads);
 
 }  // namespace palpate::sim

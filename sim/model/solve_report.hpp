@@ -6,10 +6,17 @@
 
 namespace palpate::sim {
 
-/// How a cycle ended. NotFinite: a displacement of a probe or a force is no number.
-enum class Stop { Converged, SingularMatrix, NotFinite };
+/// How a cycle ended. CapReached: the law stopped at its cap on iterations, with the residual that it reports.
+/// NotFinite: a displacement of a probe or a force is no number.
+enum class Stop { Converged, CapReached, SingularMatrix, NotFinite };
 
-inline constexpr base::EnumWords<Stop, 3> kStopWords{{{Stop::Converged, "converged"},
+/// Whether the cycle has a result.
+constexpr bool solved(Stop stop) {
+  return stop == Stop::Converged || stop == Stop::CapReached;
+}
+
+inline constexpr base::EnumWords<Stop, 4> kStopWords{{{Stop::Converged, "converged"},
+                                                      {Stop::CapReached, "iteration cap reached"},
                                                       {Stop::SingularMatrix, "singular matrix"},
                                                       {Stop::NotFinite, "not finite"}}};
 

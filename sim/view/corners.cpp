@@ -12,6 +12,7 @@
 namespace palpate::sim {
 namespace {
 
+constexpr float kReadFromALegend = 2.0F;  // in the place of an opacity: as the shaders take it
 constexpr float kCosCrease = 0.766F;  // 40 degrees: finer than any cube's edge, coarser than a coarse sphere
 
 struct Incidence {
@@ -60,9 +61,11 @@ void add_body(const DrawnBody& body, const View& view, std::vector<Corner>& to) 
   const Eigen::Matrix3Xf normals = corner_normals(seen, body.triangles);
   Eigen::Index corner = 0;
   for (const Triangle& triangle : body.triangles) {
-    for (int k = 0; k < 3; ++k, ++corner)
-      to.push_back({seen.col(triangle[k]), normals.col(corner), rgba(body.colour, body.opacity),
-                    Eigen::Vector3f::Unit(k)});
+    for (int k = 0; k < 3; ++k, ++corner) {
+      Eigen::Vector4f colour = rgba(body.colour, body.opacity);
+      if (body.corner_colours.size() > 0) colour << body.corner_colours.col(corner), kReadFromALegend;
+      to.push_back({seen.col(triangle[k]), normals.col(corner), colour, Eigen::Vector3f::Unit(k)});
+    }
   }
 }
 

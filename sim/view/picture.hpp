@@ -18,7 +18,10 @@ struct DrawnBody {
   std::string name{};
   Eigen::Matrix3Xf positions{};       // of the nodes, 3 x n [m]
   std::vector<Triangle> triangles{};  // columns of positions, anticlockwise from outside
+  std::vector<int> behind{};          // of each triangle, the tetrahedron of the body's mesh
   Colour colour{};
+  /// Of each corner of each triangle, instead of `colour`, on a body that is solid; empty: none.
+  Eigen::Matrix3Xf corner_colours{};
   float opacity = 1.0F;  // seen face on: 1 solid, less than 1 translucent, 0 not drawn
 };
 

@@ -18,7 +18,7 @@ constexpr float kTranslucent = 0.28F;
 
 DrawnBody drawn_body(const Model& model, int index, const Loads& loads) {
   const Body& body = model.bodies[index];
-  DrawnBody drawn{.name = body.name, .triangles = body.surface->triangles};
+  DrawnBody drawn{.name = body.name, .triangles = body.surface->triangles, .behind = body.surface->behind};
   drawn.positions.resize(3, static_cast<Eigen::Index>(body.mesh->nodes.size()));
   Eigen::Index node = 0;
   for (const Vec3& rest : body.mesh->nodes) drawn.positions.col(node++) = rest.cast<float>();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "sim/model/free_state.hpp"
@@ -24,8 +25,16 @@ struct Stage {
   double scale_bar = 0.0;            // a round length, about an eighth of the picture's width [m]
 };
 
+/// From where a picture is seen.
+struct ViewPoint {
+  double azimuth =
+      0.0;  // around the z axis: 0 from the front (from -y), a quarter turn from the right (+x) [rad]
+  double elevation = 0.0;  // above the xy plane: a quarter turn from the top [rad]
+};
+
 /// @param aspect  width of the pictures over their height
-Stage set_stage(const Model& model, double aspect);
+/// @param from  nothing: across the press
+Stage set_stage(const Model& model, double aspect, const std::optional<ViewPoint>& from = {});
 
 /// The bodies deformed by the loads of a cycle, and the probes where they are. A body that is
 /// pressed by a probe while there are others is translucent, for the others lie behind it.

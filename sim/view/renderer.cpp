@@ -10,6 +10,7 @@
 
 #include "sim/view/corners.hpp"
 #include "sim/view/gl.hpp"
+#include "sim/view/scale_bar.hpp"
 
 namespace palpate::sim {
 namespace {
@@ -68,19 +69,17 @@ void draw(const std::vector<Corner>& corners) {
 }
 
 void draw_scale_bar(const Picture& picture, int height) {
-  const double distance = (picture.camera.eye - picture.camera.target).norm();
-  const double metres_high = 2 * distance * std::tan(picture.camera.field_of_view / 2);
-  const int length = static_cast<int>(std::lround(picture.scale_bar / metres_high * height));
-  const int margin = height / 24, line = std::max(1, height / 240), tick = 2 * line;
+  const ScaleBar bar = scale_bar_of(picture, height);
+  const int line = bar.thickness, tick = 2 * line;
   const auto fill = [](int x, int y, int width, int high) {
     glScissor(x, y, width, high);
     glClear(GL_COLOR_BUFFER_BIT);
   };
   glEnable(GL_SCISSOR_TEST);
   glClearColor(0.25F, 0.25F, 0.27F, 1.0F);
-  fill(margin, margin, length, line);
-  fill(margin, margin - tick, line, line + 2 * tick);
-  fill(margin + length - line, margin - tick, line, line + 2 * tick);
+  fill(bar.left, bar.bottom, bar.length, line);
+  fill(bar.left, bar.bottom - tick, line, line + 2 * tick);
+  fill(bar.left + bar.length - line, bar.bottom - tick, line, line + 2 * tick);
   glDisable(GL_SCISSOR_TEST);
 }
 

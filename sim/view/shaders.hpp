@@ -25,7 +25,8 @@ void main() {
 
 /// Light is added up in nearly linear colours (a gamma of 2: no pow(), which took a fifth of a frame's time).
 /// A translucent surface is denser where it is seen from the side, as a film is: this draws its outline. Mesh
-/// edges are a faint darkening one pixel wide.
+/// edges are a faint darkening one pixel wide. An opacity of 2 is a solid surface whose colour is read from a
+/// legend: no light plays on it.
 inline constexpr const char* kFragmentShader = R"(
 #version 120
 varying vec3 at;
@@ -49,6 +50,7 @@ void main() {
   shine *= shine;
   shine *= shine;  // to the power of 32
   vec3 light = albedo * diffuse * (1.0 - 0.45 * rim) + vec3(0.16) * shine;
+  if (tint.a > 1.5) light = albedo * (0.85 + 0.15 * facing);  // a colour that means something
   float opacity = tint.a < 1.0 ? mix(tint.a, 1.0, 0.75 * rim) + 0.25 * shine : 1.0;
 
   vec3 pixels = to_edge / max(fwidth(to_edge), vec3(1e-6));

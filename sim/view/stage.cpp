@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "sim/surface/ray.hpp"
 #include "sim/view/picture_of.hpp"
 
 namespace palpate::sim {
@@ -26,21 +27,6 @@ Bounds bounds_of(const Model& model) {
   for (const Body& body : model.bodies)
     for (const Vec3& node : body.mesh->nodes) bounds.add(node);
   return bounds;
-}
-
-/// Distance from p along the unit vector `along` to triangle abc, infinite when it is missed.
-/// Source: [MollerTrumbore1997].
-double distance_to_triangle(const Vec3& p, const Vec3& along, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 ab = b - a, ac = c - a, across = along.cross(ac);
-  const double determinant = ab.dot(across);
-  if (determinant == 0.0) return kInfinity;
-  const Vec3 from_a = p - a;
-  const double u = from_a.dot(across) / determinant;
-  const Vec3 other = from_a.cross(ab);
-  const double v = along.dot(other) / determinant;
-  const double distance = ac.dot(other) / determinant;
-  if (u < 0 || v < 0 || u + v > 1 || distance <= 0) return kInfinity;
-  return distance;
 }
 
 /// How far a point can go from p before it meets a body at rest [m].
@@ -147,11 +133,28 @@ Vec3 looks_from(const Model& model, const std::vector<ProbeShape>& probes) {
   return side + 0.62 * hand + 0.12 * up;
 }
 
-/// Moves the camera along its line of sight and sideways until all points just fit into the picture.
-Camera framed(const std::vector<Vec3>& points, const Vec3& from, double aspect) {
-  Camera camera;
+/// Unit vectors.
+struct Sight {
+  Vec3 back;  // from the target towards the eye
+  Vec3 up;    // not along it
+};
+
+Sight sight_of(const Vec3& from) {
   const Vec3 back = from.normalized();
-  camera.up = std::abs(back.z()) > 0.98 ? Vec3::UnitY() : Vec3::UnitZ();
+  return {back, std::abs(back.z()) > 0.98 ? Vec3::UnitY() : Vec3::UnitZ()};
+}
+
+Sight sight_of(const ViewPoint& from) {
+  const double sa = std::sin(from.azimuth), ca = std::cos(from.azimuth);
+  const double se = std::sin(from.elevation), ce = std::cos(from.elevation);
+  return {Vec3(sa * ce, -ca * ce, se), Vec3(-sa * se, ca * se, ce)};
+}
+
+/// Moves the camera along its line of sight and sideways until all points just fit into the picture.
+Camera framed(const std::vector<Vec3>& points, const Sight& sight, double aspect) {
+  Camera camera;
+  const Vec3 back = sight.back;
+  camera.up = sight.up;
   const Vec3 right = camera.up.cross(back).normalized(), up = back.cross(right);
   constexpr double kMargin = 0.90;  // of half the picture
   const double half_high = kMargin * std::tan(camera.field_of_view / 2), half_wide = aspect * half_high;
@@ -184,7 +187,7 @@ double round_length(double length) {
 
 }  // namespace
 
-Stage set_stage(const Model& model, double aspect) {
+Stage set_stage(const Model& model, double aspect, const std::optional<ViewPoint>& from) {
   Stage stage;
   const Bounds bounds = bounds_of(model);
   std::vector<Vec3> points;
@@ -196,7 +199,7 @@ Stage set_stage(const Model& model, double aspect) {
     points.push_back(end + (shape.length + shape.radius) * shape.shaft);
     stage.probes.push_back(shape);
   }
-  stage.camera = framed(points, looks_from(model, stage.probes), aspect);
+  stage.camera = framed(points, from ? sight_of(*from) : sight_of(looks_from(model, stage.probes)), aspect);
   const double distance = (stage.camera.eye - stage.camera.target).norm();
   stage.scale_bar = round_length(0.2 * 2 * distance * std::tan(stage.camera.field_of_view / 2) * aspect);
   return stage;

@@ -9,8 +9,8 @@ namespace {
 
 constexpr std::array<std::string_view, 2> kFirstKeys{"1", "ArrowLeft"};
 constexpr std::array<std::string_view, 2> kSecondKeys{"2", "ArrowRight"};
-constexpr std::array<trials::Choice, 2> kChoices{{{.label = "The first interval", .keys = kFirstKeys},
-                                                  {.label = "The second interval", .keys = kSecondKeys}}};
+constexpr std::array<trials::Choice, 2> kChoices{{{.label = "First turn", .keys = kFirstKeys},
+                                                  {.label = "Second turn", .keys = kSecondKeys}}};
 
 double d_prime(long correct, long trials) {
   return analysis::dprime_2ifc(correct, trials, analysis::DPrimeCorrection::None).d_prime;
@@ -26,7 +26,7 @@ constexpr trials::Task kTwoInterval{
     .choices = kChoices,
     .answer_is = "the number of an interval",
     .hint = "Press 1 or 2, the arrow keys ← →, or click.",
-    .spoken_hint = "Press 1 for the first interval, 2 for the second.",
+    .spoken_hint = "Press 1 for the first turn, 2 for the second.",
     .meaning =
         "two-interval forced choice: two conditions, one after the other; which interval held the one asked "
         "for?",

@@ -137,6 +137,36 @@ TEST_F(SceneCommands, RenderWritesAPicture) {
   EXPECT_THAT(read(file("p.png")), StartsWith("\x89PNG"));
 }
 
+TEST_F(SceneCommands, RenderTellsWhatItsColoursMean) {
+  const Outcome outcome =
+      run({"render", kScene, "--depth", "4 mm", "--color", "displacement", "--cut", "--view", "30,20",
+           "--width", "480", "--height", "320", "--out", file("p.png")});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err,
+              AllOf(HasSubstr("displacement of what is seen 0 to 4 mm"), Not(HasSubstr("warning"))));
+  EXPECT_THAT(
+      run({"render", kScene, "--depth", "4 mm", "--view", "top", "--cut", "--out", file("p.png")}).err,
+      HasSubstr("looks along the press"));
+}
+
+TEST_F(SceneCommands, PressAndRenderWarnOfDepthsThatTheSceneIsNotMadeFor) {
+  EXPECT_THAT(run({"press", kScene, "--depth", "5 mm"}).err, Not(HasSubstr("warning")));
+  const std::string why =
+      "warning: probes.finger presses 9 mm deep, deeper than the 5 mm of the scene, and than "
+      "rectum is thick under it (4 mm)\n";
+  EXPECT_THAT(run({"press", kScene, "--depth", "9 mm"}).err, HasSubstr(why));
+  EXPECT_THAT(run({"press", kStudy, "--depth", "9 mm"}).err, HasSubstr(why));
+  EXPECT_THAT(run({"render", kScene, "--depth", "9 mm", "--out", file("p.png")}).err, HasSubstr(why));
+}
+
+TEST_F(SceneCommands, APlotOfAProtocolHasAPanelForEachCellAndTheDevicesLimit) {
+  const Outcome outcome = run({"press", kStudy, "--steps", "2", "--plot", file("f.svg")});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(read(file("f.svg")),
+              AllOf(HasSubstr(">kuroda<"), HasSubstr(">sibille<"), HasSubstr(">absent<"),
+                    HasSubstr("device's limit: 106 N")));  // 8.5 N / 0.08, protocols/observers/default.toml
+}
+
 TEST_F(SceneCommands, CheckKnowsScenesProtocolsAndMeshes) {
   EXPECT_THAT(run({"check", kScene}).out, HasSubstr("contact"));
   EXPECT_THAT(run({"check", kStudy}).out, HasSubstr("37 or more correct of 60 in a cell"));
@@ -184,6 +214,11 @@ TEST_F(SceneCommands, SaysWhatIsWrong) {
       {{"press", kScene, "--depth", "5 mmm"}, {"--depth", "\"mmm\"", "mm"}},
       {{"press", kScene, "--depth", "0 mm"}, {"--depth 0 mm", "> 0"}},
       {{"render", kScene, "--depth", "-1 mm", "--out", file("p.png")}, {"--depth -1 mm", "0 or more"}},
+      {{"render", kScene, "--view", "above", "--out", file("p.png")}, {"--view above", "AZIMUTH,ELEVATION"}},
+      {{"render", kScene, "--view", "10,91", "--out", file("p.png")}, {"--view 10,91", "-90 to 90"}},
+      {{"render", kScene, "--color", "stress", "--width", "200", "--out", file("p.png")},
+       {"--width 200", "374"}},
+      {{"press", kScene, "--observer", "o.toml"}, {"--observer o.toml", "with a protocol"}},
       {{"press", kScene, "--plot", file("f.gif")}, {"f.gif", ".svg or .png"}},
       {{"press", kStudy, "--model", "none"}, {"kuroda2003.toml", "--model", "protocol"}},
       {{"press", kStudy, "--save", file("state")}, {"--save", "protocol"}},

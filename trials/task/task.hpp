@@ -20,7 +20,7 @@ struct Trial;
 
 /// One answer that the page offers.
 struct Choice {
-  std::string_view label;                  // "The first interval"
+  std::string_view label;                  // "First turn": examinees know an interval as a turn
   std::span<const std::string_view> keys;  // that give it, as browsers name them: "1", "ArrowLeft"
 };
 

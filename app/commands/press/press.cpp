@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <stdexcept>
 
 #include "app/command_line/input_kind.hpp"
@@ -15,11 +16,13 @@
 #include "app/command_line/stimulus_options.hpp"
 #include "app/command_line/user_cache.hpp"
 #include "app/commands/press/press_output.hpp"
+#include "app/commands/press/press_plot.hpp"
 #include "app/commands/press/press_study.hpp"
+#include "app/study/simulation.hpp"
 #include "base/files/folder_of.hpp"
 #include "sim/compile/compile.hpp"
+#include "sim/cycle/depth_warnings.hpp"
 #include "sim/cycle/press.hpp"
-#include "sim/elasticity/static_solve.hpp"
 #include "sim/elasticity/stress.hpp"
 #include "sim/mesh/write_vtu.hpp"
 
@@ -33,26 +36,29 @@ struct PressOptions {
   int steps = 10;
   std::string save;
   std::string plot;
+  std::filesystem::path observer;
   std::string format;
 };
 
 /// STATE.body.vtu for each body, every node moved by the uncondensed problem under the last step's loads.
 void save_state(const sim::Model& model, const sim::Press& press, const std::string& state) {
+  const std::vector<sim::WholeBody> wholes = sim::whole_bodies(model, press.loads);
   for (std::size_t i = 0; i < model.bodies.size(); ++i) {
     const sim::Body& body = model.bodies[i];
-    Eigen::Matrix3Xd force = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(body.mesh->nodes.size()));
-    for (std::size_t t = 0; t < body.compliance->touch.size(); ++t)
-      force.col(body.compliance->touch[t]) =
-          press.loads.on_body[i].segment<3>(3 * static_cast<Eigen::Index>(t));
-    const auto stiffness = sim::stiffness(*body.mesh, body.materials);
-    const Eigen::Matrix3Xd u = sim::static_solve(stiffness, body.fixed, force);
+    const sim::WholeBody& whole = wholes[i];
     sim::VtuFields fields;
-    fields.point_vectors = {{"displacement", u}, {"force", force}};
-    fields.cell_scalars = {{"von_mises", sim::von_mises(*body.mesh, body.materials, u)}};
+    fields.point_vectors = {{"displacement", whole.displacement}, {"force", whole.force}};
+    fields.cell_scalars = {{"von_mises", sim::von_mises(*body.mesh, body.materials, whole.displacement)}};
     const std::string file = fmt::format("{}.{}.vtu", state, body.name);
     sim::write_vtu(file, *body.mesh, fields);
     fmt::print(stderr, "wrote {}\n", file);
   }
+}
+
+/// Once for each sentence, however many conditions it is true of.
+void warn_of_depth(const sim::Model& model, const sim::Press& press, std::set<std::string>& told) {
+  for (const std::string& warning : sim::depth_warnings(model, press.curve.back().depth, press.loads))
+    if (told.insert(warning).second) fmt::print(stderr, "warning: {}\n", warning);
 }
 
 void press_scene(const PressOptions& options, std::optional<double> depth) {
@@ -60,33 +66,35 @@ void press_scene(const PressOptions& options, std::optional<double> depth) {
   const sim::Model model = sim::compile(load_scene(options.scene), cache);
   const sim::Press press = sim::press(model, depth.value_or(model.probes.front().depth), options.steps);
   sim::require_solved(press);
+  std::set<std::string> told;
+  warn_of_depth(model, press, told);
   if (options.format == "json")
     print_json(press_json(model, press));
   else
     fmt::print("{}", press_text(model, press));
   if (!options.save.empty()) save_state(model, press, options.save);
   if (options.plot.empty()) return;
-  draw_plot({.title = fmt::format("{}, contact model {}", model.scene, model.law->name),
-             .x_label = "depth [mm]",
-             .y_label = "force [N]",
-             .series = {press_curve("force", model, press)}},
-            options.plot);
+  draw_plot(press_plot(model, press), options.plot);
   fmt::print(stderr, "wrote {}\n", options.plot);
 }
 
 void press_protocol(const PressOptions& options, std::optional<double> depth) {
   sim::ComplianceCache cache = user_cache();
   const trials::Protocol protocol = trials::load_protocol(options.scene.file);
+  const trials::ObserverParameters people =
+      trials::load_observer(options.observer.empty() ? default_observer() : options.observer);
   std::vector<trials::Stimulus> chosen = chosen_stimuli(protocol, options.stimulus);
   if (!options.save.empty()) chosen = {only_stimulus(protocol, options.stimulus, "--save")};
   const std::vector<PressedStimulus> pressed = press_study(protocol, chosen, depth, options.steps, cache);
+  std::set<std::string> told;
+  for (const PressedStimulus& stimulus : pressed) warn_of_depth(stimulus.model, stimulus.press, told);
   if (options.format == "json")
     print_json(study_press_json(protocol, pressed));
   else
     fmt::print("{}", study_press_text(protocol, pressed));
   if (!options.save.empty()) save_state(pressed.front().model, pressed.front().press, options.save);
   if (options.plot.empty()) return;
-  draw_plot(study_press_plot(protocol, pressed), options.plot);
+  draw_plot(study_press_plot(protocol, pressed, people), options.plot);
   fmt::print(stderr, "wrote {}\n", options.plot);
 }
 
@@ -99,6 +107,9 @@ void run_press(const PressOptions& options) {
   if (!options.save.empty()) base::require_folder_of(options.save);
   if (input_kind(options.scene) == InputKind::Protocol) return press_protocol(options, depth);
   refuse_choice(options.stimulus, options.scene.file);
+  if (!options.observer.empty())
+    throw std::invalid_argument(fmt::format("--observer {}: {} is a scene; accepted: with a protocol",
+                                            options.observer.string(), options.scene.file));
   press_scene(options, depth);
 }
 
@@ -115,19 +126,24 @@ void add_press(CLI::App& command) {
   command.add_option("--save", options->save,
                      "Write STATE.<body>.vtu with displacement, force and von Mises stress");
   command.add_option("--plot", options->plot, "Write a plot of the force over the depth, .svg or .png");
+  command.add_option(
+      "--observer", options->observer,
+      "Observer file (TOML) whose device's largest force the plot of a protocol shows (default: "
+      "protocols/observers/default.toml)");
   add_format(command, options->format);
   command.footer(
       "Example:\n  palpate press data/scenes/rectal-palpation.toml --model kuroda --depth \"5 mm\" "
       "--set bodies.prostate.young_modulus=\"5 MPa\"\n"
-      "  palpate press protocols/kuroda2003.toml --steps 100 --plot fig8.svg");
+      "  palpate press protocols/kuroda2003.toml --steps 100 --plot forces.svg");
   command.callback([options] { run_press(*options); });
 }
 
 }  // namespace
 
-const Command press_command{.name = "press",
-                            .summary = "Force over depth of a press into a scene (Fig. 8)",
-                            .heading = "Touch",
-                            .add = add_press};
+const Command press_command{
+    .name = "press",
+    .summary = "Force over depth of a press into a scene, or of each condition of a protocol",
+    .heading = "Touch",
+    .add = add_press};
 
 }  // namespace palpate::app

@@ -86,13 +86,4 @@ std::string press_text(const sim::Model& model, const sim::Press& press) {
   return text;
 }
 
-PlotSeries press_curve(const std::string& name, const sim::Model& model, const sim::Press& press) {
-  PlotSeries force{.name = name, .x = {0.0}, .y = {0.0}};
-  for (const sim::PressStep& step : press.curve) {
-    force.x.push_back(1e3 * step.depth);
-    force.y.push_back(sim::normal_force(model.probes.front(), step.probe_forces.front()));
-  }
-  return force;
-}
-
 }  // namespace palpate::app

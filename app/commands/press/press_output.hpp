@@ -2,7 +2,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/command_line/plot.hpp"
 #include "sim/cycle/press.hpp"
 
 namespace palpate::app {
@@ -12,8 +11,5 @@ nlohmann::ordered_json press_json(const sim::Model& model, const sim::Press& pre
 
 /// The same as a table for a terminal.
 std::string press_text(const sim::Model& model, const sim::Press& press);
-
-/// What the finger feels over its depth, from the surface on: mm, N.
-PlotSeries press_curve(const std::string& name, const sim::Model& model, const sim::Press& press);
 
 }  // namespace palpate::app

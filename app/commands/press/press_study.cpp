@@ -68,17 +68,4 @@ std::string study_press_text(const trials::Protocol& protocol, const std::vector
   return text;
 }
 
-Plot study_press_plot(const trials::Protocol& protocol, const std::vector<PressedStimulus>& pressed) {
-  Plot plot{.title = fmt::format("{}: what each condition feels like", protocol.name),
-            .x_label = "depth [mm]",
-            .y_label = "force [N]"};
-  for (const PressedStimulus& stimulus : pressed) {
-    PlotSeries curve =
-        press_curve(fmt::format("{}, {}", stimulus.cell, stimulus.condition), stimulus.model, stimulus.press);
-    curve.dashed = stimulus.cell != pressed.front().cell;
-    plot.series.push_back(std::move(curve));
-  }
-  return plot;
-}
-
 }  // namespace palpate::app

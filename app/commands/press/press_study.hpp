@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "app/command_line/plot.hpp"
 #include "sim/compliance/cache.hpp"
 #include "sim/cycle/press.hpp"
 #include "trials/protocol/stimuli.hpp"
@@ -31,7 +30,5 @@ nlohmann::ordered_json study_press_json(const trials::Protocol& protocol,
 
 /// A table of the forces: a row for each depth, a column for each condition, cell after cell.
 std::string study_press_text(const trials::Protocol& protocol, const std::vector<PressedStimulus>& pressed);
-
-Plot study_press_plot(const trials::Protocol& protocol, const std::vector<PressedStimulus>& pressed);
 
 }  // namespace palpate::app

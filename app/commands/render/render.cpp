@@ -5,18 +5,24 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "app/command_line/input_kind.hpp"
 #include "app/command_line/scene_options.hpp"
 #include "app/command_line/stimulus_options.hpp"
 #include "app/command_line/user_cache.hpp"
+#include "app/commands/render/view_option.hpp"
 #include "base/files/atomic_file.hpp"
 #include "base/files/folder_of.hpp"
 #include "sim/compile/compile.hpp"
+#include "sim/cycle/depth_warnings.hpp"
 #include "sim/cycle/press.hpp"
+#include "sim/view/annotate.hpp"
+#include "sim/view/cut.hpp"
 #include "sim/view/picture_of.hpp"
 #include "sim/view/renderer.hpp"
+#include "sim/view/scale_bar.hpp"
 #include "trials/protocol/stimuli.hpp"
 
 namespace palpate::app {
@@ -27,6 +33,9 @@ struct RenderOptions {
   StimulusOptions stimulus{};
   std::filesystem::path out;
   std::string depth = "0 mm";
+  std::string view = "across";
+  std::string colour = "none";
+  bool cut = false;
   int width = 960;
   int height = 720;
 };
@@ -34,7 +43,7 @@ struct RenderOptions {
 /// Loads of the cycle that holds every probe where it is.
 sim::Loads pressed(const sim::Model& model, sim::ProbeDisplacements probes) {
   sim::Simulation simulation(model);
-  if (simulation.step(probes, sim::kCyclePeriod).solve.stop != sim::Stop::Converged)
+  if (!sim::solved(simulation.step(probes, sim::kCyclePeriod).solve.stop))
     throw std::runtime_error(
         "the bodies' displacements could not be solved at this depth: no picture written");
   return simulation.loads();
@@ -50,20 +59,52 @@ sim::Model model_of(const RenderOptions& options) {
   return sim::compile(load_scene(options.scene), cache);
 }
 
+std::optional<sim::Field> parse_colour(const std::string& colour) {
+  if (colour == "displacement") return sim::Field::Displacement;
+  if (colour == "stress") return sim::Field::Stress;
+  return std::nullopt;
+}
+
+/// Width that is left for the bodies. Throws std::invalid_argument where the legend would leave too little.
+int drawn_width(const RenderOptions& options, bool legend) {
+  const int width = options.width - (legend ? sim::legend_width(options.height) : 0);
+  if (legend && width < sim::legend_width(options.height))
+    throw std::invalid_argument(fmt::format(
+        "--width {}: its legend leaves too little of the picture; accepted with --color: {} or more",
+        options.width, 2 * sim::legend_width(options.height)));
+  return width;
+}
+
 void run_render(const RenderOptions& options) {
   if (options.out.extension() != ".png")
     throw std::invalid_argument(
         fmt::format("--out {}: accepted: a file name that ends in .png", options.out.string()));
   const double depth = parse_depth(options.depth);
   base::require_folder_of(options.out);
+  const std::optional<sim::ViewPoint> view = parse_view(options.view);
+  const std::optional<sim::Field> field = parse_colour(options.colour);
+  const int width = drawn_width(options, field.has_value());
   const sim::Model model = model_of(options);
   const std::vector<sim::ProbeDisplacement> probes = sim::displaced_by(model, depth);
-  const sim::Stage stage = sim::set_stage(model, static_cast<double>(options.width) / options.height);
-  const sim::Picture picture = sim::picture_of(model, stage, pressed(model, probes), probes);
-  sim::Renderer renderer(options.width, options.height);
-  base::write_atomically(options.out, sim::encode_png(renderer.render(picture)));
-  fmt::print(stderr, "wrote {}: {}, contact model {}, depth {}; the bar is {:g} mm long\n",
-             options.out.string(), model.scene, model.law->name, options.depth, 1e3 * stage.scale_bar);
+  const sim::Loads loads = pressed(model, probes);
+  for (const std::string& warning : sim::depth_warnings(model, depth, loads))
+    fmt::print(stderr, "warning: {}\n", warning);
+  const sim::Stage stage = sim::set_stage(model, static_cast<double>(width) / options.height, view);
+  sim::Picture picture = sim::picture_of(model, stage, loads, probes);
+  std::optional<sim::Legend> legend;
+  if (field || options.cut) {
+    const std::vector<sim::WholeBody> bodies = sim::whole_bodies(model, loads);
+    if (options.cut) sim::cut_open(picture, model, bodies);
+    if (field) legend = sim::paint(picture, model, bodies, *field);
+  }
+  sim::Renderer renderer(width, options.height);
+  const sim::Image image = sim::annotated(renderer.render(picture), picture, legend);
+  base::write_atomically(options.out, sim::encode_png(image));
+  fmt::print(stderr, "wrote {}: {}, contact model {}, depth {}; the bar is {} long{}\n", options.out.string(),
+             model.scene, model.law->name, options.depth, sim::length_in_words(stage.scale_bar),
+             legend ? fmt::format("; {} of what is seen {:.4g} to {:.4g} {}", legend->title, legend->least,
+                                  legend->most, legend->unit)
+                    : "");
 }
 
 void add_render(CLI::App& command) {
@@ -74,6 +115,20 @@ void add_render(CLI::App& command) {
   command.add_option("--out", options->out, "Picture to write, a PNG file")->required();
   command.add_option("--depth", options->depth, "How deep every probe presses, with its unit")
       ->capture_default_str();
+  command
+      .add_option(
+          "--view", options->view,
+          "From where: across (the press), front (from -y, z up), right (from +x), back, left, top, bottom, "
+          "or AZIMUTH,ELEVATION in degrees, counted from the front to the right and upwards")
+      ->capture_default_str();
+  command
+      .add_option("--color,--colour", options->colour,
+                  "displacement (its magnitude) or stress (von Mises, of each tetrahedron), with a "
+                  "legend and every body solid; or none")
+      ->check(CLI::IsMember({"displacement", "stress", "none"}))
+      ->capture_default_str();
+  command.add_flag("--cut", options->cut,
+                   "Open the bodies along the first probe's press: what lies before it is taken away");
   command.add_option("--width", options->width, "[pixel]")
       ->check(CLI::Range(16, 8192))
       ->capture_default_str();
@@ -82,6 +137,7 @@ void add_render(CLI::App& command) {
       ->capture_default_str();
   command.footer(
       "Example:\n  palpate render data/scenes/rectal-palpation.toml --depth \"5 mm\" --out pressed.png\n"
+      "  palpate render data/scenes/rectal-palpation.toml --depth \"5 mm\" --color stress --cut --out stress.png\n"
       "  palpate render protocols/kuroda2003.toml --condition hard --cell kuroda --out hard.png");
   command.callback([options] { run_render(*options); });
 }
@@ -89,7 +145,7 @@ void add_render(CLI::App& command) {
 }  // namespace
 
 const Command render_command{.name = "render",
-                             .summary = "Picture of a scene, drawn off screen (Fig. 7)",
+                             .summary = "Picture of a scene, pressed or at rest, drawn off screen",
                              .heading = "Touch",
                              .add = add_render};
 

@@ -90,7 +90,8 @@ void Host::State::poll_at(std::chrono::steady_clock::time_point when) {
     if (error) return;
     sitting->poll(when);
     stop_if_alone(when);
-    poll_at(std::max(when + kPollPeriod, std::chrono::steady_clock::now()));
+    const auto late = std::chrono::steady_clock::now() - when;
+    poll_at(when + (1 + late / kPollPeriod) * kPollPeriod);  // always on one beat, whatever a poll took
   });
 }
 

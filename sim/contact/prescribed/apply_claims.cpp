@@ -21,12 +21,12 @@ void book_contact_forces(const Model& model, int body, std::span<const double> m
 }
 
 /// Largest error of what was asked, relative to the largest displacement asked.
-double residual(const Claims& claims, const Eigen::VectorXd& free, const Eigen::VectorXd& now) {
+double residual(const Claims& claims, const PrescribedSolve& solve) {
   double largest = 0.0, error = 0.0;
-  for (const int node : claims.nodes) {
-    const Vec3& asked = claims.displacement[node];
+  for (std::size_t i = 0; i < claims.nodes.size(); ++i) {
+    const Vec3& asked = claims.displacement[claims.nodes[i]];
     largest = std::max(largest, asked.norm());
-    error = std::max(error, (now.segment<3>(3 * node) - free.segment<3>(3 * node) - asked).norm());
+    error = std::max(error, (solve.displacement_of_node(static_cast<int>(i)) - asked).norm());
   }
   return largest > 0.0 ? error / largest : 0.0;
 }
@@ -43,11 +43,9 @@ SolveReport apply_claims(const Model& model, const FreeState& free, PrescribedSc
     if (!solve.factor(free.probes, claims.nodes)) return {.stop = Stop::SingularMatrix};
     const auto multipliers = solve.solve(nullptr, claims.displacement);
     solve.add_forces(response.loads.on_body[i]);
-    solve.add_displacement(response.displacement[i]);
     for (const int probe : model.bodies[i].probes) response.probe_forces[probe] += solve.probe_force(probe);
     book_contact_forces(model, i, multipliers.subspan(solve.probe_rows()), scratch);
-    report.residual =
-        std::max(report.residual, residual(claims, free.motion[i].displacement, response.displacement[i]));
+    report.residual = std::max(report.residual, residual(claims, solve));
   }
   return report;
 }

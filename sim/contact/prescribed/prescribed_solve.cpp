@@ -95,6 +95,16 @@ void PrescribedSolve::add_displacement(Eigen::VectorXd& displacement) const {
   }
 }
 
+Vec3 PrescribedSolve::displacement_of_node(int i) const {
+  Vec3 displacement = Vec3::Zero();
+  for (int component = 0; component < 3; ++component) {
+    const Row& to = rows_[probe_rows_ + 3 * i + component];
+    for (std::size_t from = 0; from < rows_.size(); ++from)
+      displacement[component] += entry(to, rows_[from]) * multipliers_[from];
+  }
+  return displacement;
+}
+
 void PrescribedSolve::add_forces(Eigen::VectorXd& forces) const {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Row& wanted = rows_[i];

@@ -29,6 +29,8 @@ class PrescribedSolve {
   int probe_rows() const { return probe_rows_; }
   /// Adds the displacements that the multipliers of the last solve bring, for any E that scaled them away.
   void add_displacement(Eigen::VectorXd& displacement) const;
+  /// The displacement of the node that stands at place `i` among those that factor() got, the same way.
+  Vec3 displacement_of_node(int i) const;
   /// Adds E times the multipliers of the last solve as nodal forces [N].
   void add_forces(Eigen::VectorXd& forces) const;
   /// Force of probe `probe` on the body along its axes times E, in space [N].

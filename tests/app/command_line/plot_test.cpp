@@ -37,7 +37,8 @@ Plot two_lines() {
           .note = "{no_markup}",
           .x_label = "depth [mm]",
           .y_label = "force [N]",
-          .series = {{"soft", {0, 1, 2}, {0, 0.5, 1.5}}, {"hard", {0, 1, 2}, {0, NAN, 3}, true}}};
+          .panels = {{.series = {{.name = "soft", .x = {0, 1, 2}, .y = {0, 0.5, 1.5}},
+                                 {.name = "hard", .x = {0, 1, 2}, .y = {0, NAN, 3}}}}}};
 }
 
 TEST_F(PlotTest, SvgHoldsEveryWordAndTwoCurves) {
@@ -67,9 +68,11 @@ std::optional<Points> rising_curve(const std::string& svg) {
 
 TEST_F(PlotTest, CurvesRunWhereTheNumbersAre) {
   const auto file = folder_ / "curve.svg";
-  draw_plot(
-      {.title = "t", .x_label = "x", .y_label = "y", .series = {{"square", {0, 1, 2, 4}, {0, 1, 4, 16}}}},
-      file);
+  draw_plot({.title = "t",
+             .x_label = "x",
+             .y_label = "y",
+             .panels = {{.series = {{.name = "square", .x = {0, 1, 2, 4}, .y = {0, 1, 4, 16}}}}}},
+            file);
   const std::optional<Points> curve = rising_curve(read(file));
   ASSERT_TRUE(curve.has_value());
   const Points& p = *curve;

@@ -14,6 +14,7 @@
 
 #include "analysis/report/primary_power.hpp"
 #include "analysis/report/primary_test.hpp"
+#include "analysis/report/verdict.hpp"
 #include "app/study/study_table.hpp"
 #include "tests/support/places.hpp"
 #include "trials/plan/plan.hpp"
@@ -76,6 +77,8 @@ class PrimaryTestOfStudies {
   explicit PrimaryTestOfStudies(const trials::Protocol& protocol)
       : design_(design_of(protocol)), looks_(protocol.analysis.looks) {
     if (looks_.empty()) looks_.push_back(protocol.planned_examinees);
+    // Of a cell that is alone in rejecting, where the protocol adjusts over the cells: what its power is planned for.
+    design_.alpha = analysis::strictest_alpha(design_);
   }
 
   bool rejects(const std::vector<analysis::OrderStratum>& sittings) {

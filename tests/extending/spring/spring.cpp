@@ -12,9 +12,10 @@ constexpr double kStiffness = 10e3;  // [N/m]
 struct SpringScratch : LawScratch {
   Placement placement{};
   Pairs pairs{};
-  std::vector<Eigen::VectorXd> forces{};  // of contact, on the touchable nodes of each body [N]
-  std::vector<PrescribedSolve> holds{};   // of each body: what its probes do against those forces
-  ProbeRows back{};                       // what each probe takes back of the motion that they bring
+  std::vector<Eigen::VectorXd> forces{};        // of contact, on the touchable nodes of each body [N]
+  std::vector<Eigen::VectorXd> displacement{};  // that they bring [m]
+  std::vector<PrescribedSolve> holds{};         // of each body: what its probes do against those forces
+  ProbeRows back{};                             // what each probe takes back of the motion that they bring
 };
 
 std::unique_ptr<LawScratch> prepare(const Model& model) {
@@ -26,6 +27,7 @@ std::unique_ptr<LawScratch> prepare(const Model& model) {
   scratch->back.resize(model.probes.size());
   for (int i = 0; i < std::ssize(model.bodies); ++i) {
     scratch->forces.emplace_back(Eigen::VectorXd::Zero(3 * model.bodies[i].rest.cols()));
+    scratch->displacement.push_back(scratch->forces.back());
     scratch->holds.emplace_back(model, i, 0);
   }
   return scratch;
@@ -46,21 +48,20 @@ void push(const Model& model, const CollidingPair& pair, SpringScratch& scratch)
 /// Adds what the contact forces do to one body, whose pressing probes stay where they are.
 bool respond(const Model& model, const FreeState& free, int i, SpringScratch& scratch, Response& response) {
   const Body& body = model.bodies[i];
-  Eigen::VectorXd& displacement = response.displacement[i];
+  Eigen::VectorXd& displacement = scratch.displacement[i];
   response.loads.on_body[i] += scratch.forces[i];
-  displacement.noalias() += 1.0 / body.young_modulus * body.compliance->touch_touch * scratch.forces[i];
+  displacement.noalias() = 1.0 / body.young_modulus * body.compliance->touch_touch * scratch.forces[i];
   for (const int k : body.probes) {
     const Probe& probe = model.probes[k];
     Vec3 mean = Vec3::Zero();
     for (std::size_t j = 0; j < probe.nodes.size(); ++j)
       mean += probe.weights[j] * displacement.segment<3>(3 * probe.nodes[j]);
     for (Eigen::Index axis = 0; axis < probe.axes.cols(); ++axis)
-      scratch.back[k].value[axis] = free.probes[k].value[axis] - probe.axes.col(axis).dot(mean);
+      scratch.back[k].value[axis] = -probe.axes.col(axis).dot(mean);
   }
   PrescribedSolve& hold = scratch.holds[i];
   if (!hold.factor(free.probes, {})) return false;
   hold.solve(&scratch.back, {});
-  hold.add_displacement(displacement);
   hold.add_forces(response.loads.on_body[i]);
   for (const int k : body.probes) response.probe_forces[k] += hold.probe_force(k);
   return true;

@@ -118,7 +118,7 @@ std::string correct_answer_means(const Protocol& protocol) {
 
 constexpr std::array<std::string_view, 1> kOne{"1"}, kTwo{"2"}, kThree{"3"};
 constexpr std::array<trials::Choice, 3> kChoices{
-    {{"The first interval", kOne}, {"The second interval", kTwo}, {"The third interval", kThree}}};
+    {{"First turn", kOne}, {"Second turn", kTwo}, {"Third turn", kThree}}};
 
 }  // namespace
 

@@ -9,23 +9,17 @@
 
 #include "sim/cycle/press.hpp"
 #include "sim/elasticity/static_solve.hpp"
+#include "tests/sim/support/on_mesh.hpp"
 #include "tests/sim/support/two_boxes.hpp"
 
 namespace palpate::sim {
 namespace {
 
 using test::compile_scene;
+using test::on_mesh;
 using test::write_two_boxes;
 
 const std::vector<Override> kNone{{"contact.model", "none"}};
-
-/// Forces on the touchable nodes as forces on the whole mesh, 3 x n.
-Eigen::Matrix3Xd on_mesh(const Body& body, const Eigen::VectorXd& loads) {
-  Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(body.mesh->nodes.size()));
-  for (std::size_t i = 0; i < body.compliance->touch.size(); ++i)
-    forces.col(body.compliance->touch[i]) = loads.segment<3>(3 * static_cast<Eigen::Index>(i));
-  return forces;
-}
 
 class CycleOfEachLaw : public ::testing::TestWithParam<const char*> {};
 
@@ -48,7 +42,12 @@ TEST_P(CycleOfEachLaw, CondensedDeformationIsTheFullOne) {
   }
 }
 
-TEST_P(CycleOfEachLaw, GivesTheSameBitsWhateverCameBefore) {
+/// Forces that one pose gives whatever came before: a warm start may move them by the solver's tolerance.
+void expect_same(const Vec3& here, const Vec3& there) {
+  EXPECT_LE((here - there).norm(), 1e-10 * there.norm());
+}
+
+TEST_P(CycleOfEachLaw, GivesTheSameForceWhateverCameBefore) {
   const Model model =
       compile_scene(write_two_boxes({.shift = 1.7e-3}), std::vector<Override>{{"contact.model", GetParam()}});
   std::mt19937_64 random(7);
@@ -60,8 +59,11 @@ TEST_P(CycleOfEachLaw, GivesTheSameBitsWhateverCameBefore) {
     Simulation fresh(model);
     const Vec3 here = travelled.step(pose, kCyclePeriod).probe_forces[0];
     const Vec3 first_time = fresh.step(pose, kCyclePeriod).probe_forces[0];
-    EXPECT_EQ(here, first_time);
-    EXPECT_EQ(travelled.displacement(1), fresh.displacement(1));
+    expect_same(here, first_time);
+    const Eigen::VectorXd moved = fresh.displacement(1);
+    EXPECT_LE((travelled.displacement(1) - moved).norm(), 1e-9 * moved.norm());
+    travelled.reset();
+    EXPECT_EQ(travelled.step(pose, kCyclePeriod).probe_forces[0], first_time);
   }
 }
 
@@ -77,11 +79,14 @@ TEST_P(CycleOfEachLaw, ABodyThatIsReleasedIsWhereItRests) {
                                               {depth(random) * model.probes[1].direction}};
     Simulation fresh(model);
     const CycleResult here = travelled.step(pose, kCyclePeriod), first_time = fresh.step(pose, kCyclePeriod);
-    for (std::size_t k = 0; k < 2; ++k) EXPECT_EQ(here.probe_forces[k], first_time.probe_forces[k]);
+    for (std::size_t k = 0; k < 2; ++k) expect_same(here.probe_forces[k], first_time.probe_forces[k]);
     ASSERT_EQ(here.pairs.size(), first_time.pairs.size());
     for (std::size_t k = 0; k < here.pairs.size(); ++k)
       EXPECT_EQ(here.pairs[k].active, first_time.pairs[k].active);
-    for (int body = 0; body < 2; ++body) EXPECT_EQ(travelled.displacement(body), fresh.displacement(body));
+    for (int body = 0; body < 2; ++body) {
+      const Eigen::VectorXd moved = fresh.displacement(body);
+      EXPECT_LE((travelled.displacement(body) - moved).norm(), 1e-9 * moved.norm());
+    }
     if (i % 10 == 9)  // nor after a cycle that failed
       travelled.step(std::vector<ProbeDisplacement>{{Vec3(0, NAN, 0)}, {Vec3::Zero()}}, kCyclePeriod);
   }
@@ -120,7 +125,7 @@ TEST_P(CycleOfEachLaw, FeelsNothingOffTheSkinAndForAPoseThatIsNoNumber) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Laws, CycleOfEachLaw, ::testing::Values("none", "sibille", "kuroda"));
+INSTANTIATE_TEST_SUITE_P(Laws, CycleOfEachLaw, ::testing::Values("none", "sibille", "kuroda", "exact"));
 
 TEST(Cycle, WithoutContactTheForceIsLinearInTheDepth) {
   const Model model = compile_scene(write_two_boxes(), kNone);

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <map>
 
 #include "tests/sim/mesh/fixtures.hpp"
+#include "tests/sim/support/box_mesh.hpp"
 
 namespace palpate::sim::test {
 namespace {
@@ -38,6 +40,15 @@ TEST(Surface, OfACubeIsClosedAndSeenFromOutside) {
 TEST(Surface, EnclosesTheVolumeByTheDivergenceTheorem) {
   EXPECT_NEAR(enclosed_volume(cube_mesh(3, 2.0)), 8.0, 1e-13);
   EXPECT_NEAR(enclosed_volume(read_mesh(data_file("two_boxes.v41.text.msh"), 1.0).mesh), 2.0, 1e-14);
+}
+
+TEST(Surface, TellsWhichTetrahedronIsBehindATriangle) {
+  const TetMesh mesh = test::box_mesh(2, 2, 2, Vec3(1, 1, 1));
+  const Surface surface = extract_surface(mesh);
+  ASSERT_EQ(surface.behind.size(), surface.triangles.size());
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i)
+    for (const int node : surface.triangles[i])
+      EXPECT_EQ(std::ranges::count(mesh.tetrahedra[surface.behind[i]], node), 1);
 }
 
 TEST(Surface, OfNothingIsEmpty) {

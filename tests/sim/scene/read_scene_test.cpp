@@ -81,7 +81,6 @@ INSTANTIATE_TEST_SUITE_P(
                 "\"liver\" is no body"},
         Refusal{"TouchesItself", "[[\"upper\", \"lower\"]]", "[[\"upper\", \"upper\"]]", "touches itself"},
         Refusal{"UnknownModel", "\"kuroda\"", "\"penalty\"", "accepted: none, sibille, kuroda"},
-        Refusal{"LaterModel", "\"kuroda\"", "\"exact\"", "not in this version"},
         Refusal{"LaterEffect", "model = \"kuroda\"", "model = \"kuroda\"\nfriction = 0.3",
                 "calls for friction"},
         Refusal{"NoDirection", "[0, 0, -1]", "[0, 0, 0]", "has no length"},

@@ -117,6 +117,25 @@ TEST(SetStage, LooksAtACoarseAndAFineMeshFromOnePlace) {
   EXPECT_GT(coarse.probes.front().shaft.dot(fine.probes.front().shaft), 0.99);
 }
 
+TEST(SetStage, LooksFromWhereItIsTold) {
+  const Model model = rectal_palpation();
+  const double quarter = M_PI / 2;
+  struct {
+    ViewPoint from;
+    Vec3 back, up;
+  } const cases[] = {{{0, 0}, -Vec3::UnitY(), Vec3::UnitZ()},           // front
+                     {{quarter, 0}, Vec3::UnitX(), Vec3::UnitZ()},      // right
+                     {{2 * quarter, 0}, Vec3::UnitY(), Vec3::UnitZ()},  // back
+                     {{-quarter, 0}, -Vec3::UnitX(), Vec3::UnitZ()},    // left
+                     {{0, quarter}, Vec3::UnitZ(), Vec3::UnitY()},      // top
+                     {{0, -quarter}, -Vec3::UnitZ(), -Vec3::UnitY()}};
+  for (const auto& [from, back, up] : cases) {
+    const Camera camera = set_stage(model, kAspect, from).camera;
+    EXPECT_LT(((camera.eye - camera.target).normalized() - back).norm(), 1e-9);
+    EXPECT_LT((camera.up - up).norm(), 1e-9);
+  }
+}
+
 TEST(SetStage, ScaleBarIsARoundLength) {
   const double bar = set_stage(rectal_palpation(), kAspect).scale_bar;
   EXPECT_NEAR(bar, 0.010, 1e-12);  // the organs are 3 to 8 cm long

@@ -14,10 +14,10 @@ std::string times(int count) {
 std::string advice(trials::Verdict verdict, const trials::Exploration& rule) {
   switch (verdict) {
     case trials::Verdict::TooFewPresses:
-      return fmt::format("This interval needs a press that goes in and out, at least {}.",
+      return fmt::format("This turn needs a press that goes in and out, at least {}.",
                          times(rule.least_presses));
     case trials::Verdict::TooManyPresses:
-      return fmt::format("In this interval you may press at most {}.", times(rule.most_presses));
+      return fmt::format("In this turn you may press at most {}.", times(rule.most_presses));
     case trials::Verdict::TooShallow:
       return "Please press a little deeper.";
     case trials::Verdict::Enough:

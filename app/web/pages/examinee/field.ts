@@ -1,7 +1,7 @@
 // The field in which the hand presses. One CSS pixel is the same way of the hand on every screen.
 
 const kWidth = 320, kHeight = 480;           // [CSS px]
-const kHighestSkin = 72, kLowestSkin = 152;  // between which the skin's line is drawn, from the top [CSS px]
+const kHighestSkin = 96, kLowestSkin = 152;  // between which the skin's line is drawn, from the top [CSS px]
 const kMetresPerPixel = 1 / 32000;           // 32 px for a millimetre of press
 const kRadius = 15;                          // of the pointer's mark [CSS px]
 const kAtRest = -1.5e-3;                     // where the hand waits, above the skin [m]

@@ -34,6 +34,7 @@ function show(next: Phase): void {
   document.body.dataset.showing = `${next.id}`;
   showKind(next);
   showProgress(next);
+  document.body.style.setProperty("--choices", `${Math.max(2, next.choices.length)}`);
   render(viewOf(next), next.notice);
   picture.hidden = !next.picture;
   if (pressing(next)) field.begin();
@@ -71,7 +72,7 @@ function showKind(next: Phase): void {
 }
 
 function showProgress(next: Phase): void {
-  element("progress").hidden = next.phase === "welcome" || next.phase === "gesture";
+  element("progress").classList.toggle("unseen", next.phase === "welcome" || next.phase === "gesture");
   const finished = next.number === 0;
   element("progress-text").textContent =
       finished ? "All questions answered" : `Question ${next.number} of ${next.questions}`;
@@ -98,13 +99,12 @@ function render(view: View, notice: string): void {
     }));
     text.append(list);
   }
-  element("stage").hidden = !view.stage;
+  if (view.actions.some((action) => action.does === "strategy")) text.append(strategyBox());
   document.body.classList.toggle("pressing", view.stage);
   element("hint").textContent = view.hint ?? "";
   element("live").textContent = notice ? `${notice} ${view.spoken}` : view.spoken;
   const actions = element("actions");
   actions.replaceChildren(...view.actions.map(button));
-  if (view.actions.some((action) => action.does === "strategy")) actions.prepend(strategyBox());
   element("title").focus({ preventScroll: true });
 }
 
@@ -115,7 +115,14 @@ function button(action: Action): HTMLButtonElement {
   made.dataset.does = action.does;
   if (action.choice) made.dataset.choice = `${action.choice}`;
   made.disabled = action.does === "finish";
-  made.append(action.label);
+  const label = document.createElement("span");
+  label.append(action.label);
+  if (action.aside) {
+    const aside = document.createElement("small");
+    aside.textContent = action.aside;
+    label.append(aside);
+  }
+  made.append(label);
   if (action.key) {
     const key = document.createElement("kbd");
     key.textContent = action.key;
@@ -172,7 +179,7 @@ function progressOf(probe: Probe, shown: Phase): string {
   const [least, most] = shown.presses;
   const asked = least === most ? `${most}` : `${least} to ${most}`;
   const depth = probe.deepEnough ? "deep enough" : probe.presses > 0 ? "a little deeper, please" : "press down, and let go";
-  return `Presses so far: ${probe.presses} (${asked} ${asked === "1" ? "is" : "are"} asked for), ${depth}. ${probe.secondsLeft} s left.`;
+  return `Presses so far: ${probe.presses} (${asked} ${asked === "1" ? "is" : "are"} asked for), ${depth}. ${probe.secondsLeft}\u00a0s\u00a0left.`;
 }
 
 function showProbe(probe: Probe): void {

@@ -91,8 +91,12 @@ void Sitting::enter(Stage stage) {
   release_engine();
   next_ = Next::Nothing;
   stage_ = stage;
-  if (stage == Stage::Gesture && connected_) run_engine(organs_.practice, {});
+  if (stage == Stage::Gesture && connected_) {
+    make_engine(organs_.practice, {});
+    run_engine();
+  }
   show();
+  prepare_interval();
 }
 
 void Sitting::schedule(Next next, Clock::time_point when) {
@@ -129,9 +133,20 @@ void Sitting::interrupt(std::string_view reason) {
 
 // ---- Intervals ----
 
-void Sitting::run_engine(const sim::Model& model, const IntervalLimits& limits) {
+void Sitting::make_engine(const sim::Model& model, const IntervalLimits& limits) {
   release_engine();
   engine_ = std::make_unique<IntervalEngine>(model, limits, loop_.device());
+}
+
+/// While the examinee rests: how long it takes hangs on the contact model, and nobody is to wait for it.
+void Sitting::prepare_interval() {
+  const trials::Phase phase = session_.phase();
+  const bool rests = phase == trials::Phase::Ready || phase == trials::Phase::Pause;
+  if (!connected_ || !rests || (stage_ != Stage::Trial && stage_ != Stage::Again)) return;
+  make_engine(*organs_.stimuli.at(session_.stimulus()), limits_of(protocol_.exploration));
+}
+
+void Sitting::run_engine() {
   loop_.forget_hand();
   loop_.run(*engine_);
   if (frames_ != nullptr && shows_organs()) frames_->show(&engine_->felt());
@@ -152,27 +167,27 @@ trials::IntervalRecord Sitting::release_record() {
   return record;
 }
 
+/// The page hears of it before the loop has its first cycle, for a cycle takes as long as the contact model.
 void Sitting::begin_interval() {
-  const sim::Model& model = *organs_.stimuli.at(session_.stimulus());
   session_.begin_interval();
   notice_.clear();
   stage_ = Stage::Trial;
   onset_utc_ = base::utc_now();
-  run_engine(model, limits_of(protocol_.exploration));
   show();
+  run_engine();
 }
 
-void Sitting::end_interval() {
-  const Clock::time_point ended = Clock::now();  // before anything is stored, which takes its time
+/// @param ended  before anything is stored, which takes its time
+void Sitting::end_interval(Clock::time_point ended) {
   const trials::Verdict verdict = session_.end_interval(release_record());
   notice_ = advice(verdict, protocol_.exploration);
   schedule(Next::Outcome, ended + kOutcomeAfter);
 }
 
-void Sitting::show_outcome() {
+void Sitting::show_outcome(Clock::time_point now) {
   if (!notice_.empty()) return enter(Stage::Again);
   enter(Stage::Trial);
-  if (session_.phase() == trials::Phase::Pause) schedule(Next::Interval, Clock::now() + kPause);
+  if (session_.phase() == trials::Phase::Pause) schedule(Next::Interval, now + kPause);
   if (session_.phase() == trials::Phase::Question) onset_utc_ = base::utc_now();
 }
 
@@ -188,7 +203,7 @@ void Sitting::report_fault() {
 void Sitting::poll(Clock::time_point now) {
   if (next_ != Next::Nothing && now >= due_) {
     const Next next = std::exchange(next_, Next::Nothing);
-    if (next == Next::Outcome) show_outcome();
+    if (next == Next::Outcome) show_outcome(now);
     if (next == Next::Interval) begin_interval();
     return;
   }
@@ -197,7 +212,7 @@ void Sitting::poll(Clock::time_point now) {
   if (connected_) outlets_.binary(encode_probe(state, ++sequence_));
   if (!state.begun) onset_utc_ = base::utc_now();  // the trace begins when the hand has left the skin
   if (state.fault != Fault::None) return report_fault();
-  if (stage_ == Stage::Trial && state.over) end_interval();
+  if (stage_ == Stage::Trial && state.over) end_interval(now);
 }
 
 // ---- What the page says ----
@@ -221,7 +236,7 @@ void Sitting::receive(const Reply& reply) {
     case ReplyKind::Continue:
       return go_on();
     case ReplyKind::Finish:
-      if (loop_.state().may_finish) end_interval();
+      if (loop_.state().may_finish) end_interval(Clock::now());
       return;
     case ReplyKind::Answer:
       return answer(reply);
@@ -243,8 +258,8 @@ void Sitting::go_on() {
       return enter(Stage::Gesture);
     case Onward::ToTrial:
       return enter(Stage::Trial);
-    case Onward::IntoInterval:
-      return begin_interval();
+    case Onward::IntoInterval:  // at the next poll, as every interval
+      return schedule(Next::Interval, Clock::now());
     case Onward::Nowhere:
       return;
   }

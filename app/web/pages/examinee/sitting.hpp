@@ -46,7 +46,8 @@ class Sitting {
   void page_closed();
   void text_from_page(std::string_view text);
   void binary_from_page(std::string_view bytes);
-  /// Once a sixtieth of a second: sends the pointer's place and ends what has run out.
+  /// Once a sixtieth of a second: sends the pointer's place, begins what is due and ends what has run out.
+  /// @param now  when it was to be called, so that what follows does not hang on how long anything took
   void poll(Clock::time_point now);
 
   /// What was being felt is stored as cut off, so that the session can be taken up again.
@@ -62,12 +63,14 @@ class Sitting {
   bool shows_organs() const;
   void schedule(Next next, Clock::time_point when);
 
-  void run_engine(const sim::Model& model, const IntervalLimits& limits);
+  void make_engine(const sim::Model& model, const IntervalLimits& limits);
+  void run_engine();
+  void prepare_interval();
   trials::LoopTiming release_engine();
   trials::IntervalRecord release_record();
   void begin_interval();
-  void end_interval();
-  void show_outcome();
+  void end_interval(Clock::time_point ended);
+  void show_outcome(Clock::time_point now);
   void report_fault();
 
   void receive(const Reply& reply);
@@ -87,7 +90,7 @@ class Sitting {
   std::uint32_t id_ = 0;                    // of the showing
   trials::Phase shown_phase_{};             // that it shows, in Stage::Trial
   std::uint32_t sequence_ = 0;              // of messages about the pointer
-  std::unique_ptr<IntervalEngine> engine_;  // with the loop while there is one
+  std::unique_ptr<IntervalEngine> engine_;  // of the interval that comes or runs, or of the last one
   bool connected_ = false;
   std::string notice_;
   std::string onset_utc_;      // of the interval or the question

@@ -4,6 +4,7 @@ import { Phase } from "./messages";
 
 export interface Action {
   label: string;
+  aside?: string;  // under the label, small
   key: string;     // as it is shown to the examinee
   primary: boolean;
   does: "continue" | "finish" | "answer" | "strategy";
@@ -15,18 +16,37 @@ export interface View {
   paragraphs: string[];
   list?: string[];
   hint?: string;
-  stage: boolean;   // whether the field is shown
+  stage: boolean;   // whether the field is what to look at
   spoken: string;   // for the live region
   actions: Action[];
 }
 
-const ordinals = ["", "first", "second", "third"];
-const counts = ["", "one", "two", "three"];
+const ordinals = ["", "first", "second", "third", "fourth"];
+const counts = ["", "one", "two", "three", "four"];
 const touch = window.matchMedia("(pointer: coarse)").matches;
 const hand = touch ? "your finger on the field" : "the mouse";
 
 function nextButton(label: string): Action {
   return { label, key: touch ? "" : "Space", primary: true, does: "continue" };
+}
+
+function capital(words: string): string {
+  return words.charAt(0).toUpperCase() + words.slice(1);
+}
+
+/** An interval as an examinee knows it: "second turn". */
+function turn(interval: number): string {
+  return `${ordinals[interval] ?? `${interval}th`} turn`;
+}
+
+/** "interval 2" where the study's question speaks of intervals, so that nobody must have been told what that is. */
+function asInterval(phase: Phase, interval: number): string {
+  return phase.intervals > 1 && /\binterval/i.test(phase.question) ? `interval ${interval}` : "";
+}
+
+function turnTitle(phase: Phase): string {
+  const aside = asInterval(phase, phase.interval);
+  return capital(turn(phase.interval)) + (aside ? ` (${aside})` : "");
 }
 
 function times(presses: [number, number]): string {
@@ -52,8 +72,8 @@ function welcome(phase: Phase): View {
       "First you practise the movement.",
       phase.intervals === 1
         ? "Then you press on a tissue for a short time."
-        : `Then you press on a tissue in ${counts[phase.intervals] ?? phase.intervals} intervals, one after the other: ` +
-          "short times in which you may press.",
+        : `Then you press on a tissue in ${counts[phase.intervals] ?? phase.intervals} turns, one after the other. ` +
+          "A turn is a short time in which you may press.",
       `After that you answer one question: “${phase.question}” If you are not sure, go with your impression.`,
     ],
     stage: false,
@@ -66,9 +86,9 @@ function gesture(): View {
   return {
     title: "Practise the movement",
     paragraphs: [
-      `Move ${hand} down to press, and up to let go. The line is the skin; the round pointer is your finger.`,
+      `Move ${hand} down to press, up to let go. The line is the skin; the round pointer is your fingertip.`,
     ],
-    hint: "Press as often as you like. Nothing is counted here.",
+    hint: "Try it out: nothing is counted here.",
     stage: true,
     spoken: `Practise the movement. Move ${hand} down to press, and up to let go.`,
     actions: [nextButton("I am ready")],
@@ -79,7 +99,11 @@ function ready(phase: Phase): View {
   return {
     title: "Ready?",
     paragraphs: [
-      `Press ${times(phase.presses)} in each interval, with a clear, deep press. Rest here as long as you like.`,
+      phase.intervals === 1
+        ? `Press ${times(phase.presses)}, clearly and deeply.`
+        : `You have ${counts[phase.intervals] ?? phase.intervals} turns, one after the other. ` +
+          `In each turn press ${times(phase.presses)}, clearly and deeply.`,
+      "Rest here as long as you like.",
     ],
     stage: false,
     spoken: "Ready? Start when you like.",
@@ -89,17 +113,17 @@ function ready(phase: Phase): View {
 
 function interval(phase: Phase): View {
   return {
-    title: phase.intervals === 1 ? "Press now" : `Interval ${phase.interval}`,
+    title: phase.intervals === 1 ? "Press now" : turnTitle(phase),
     paragraphs: [],
     stage: true,
-    spoken: `Interval ${phase.interval}. Press now.`,
+    spoken: phase.intervals === 1 ? "Press now." : `${capital(turn(phase.interval))}. Press now.`,
     actions: [{ label: "That is enough", key: touch ? "" : "Space", primary: false, does: "finish" }],
   };
 }
 
 function pause(phase: Phase): View {
   return {
-    title: phase.interval > 1 ? `The ${ordinals[phase.interval] ?? "next"} interval follows` : "Here it comes",
+    title: phase.interval > 1 ? `Your ${turn(phase.interval)} follows` : "Here it comes",
     paragraphs: ["One moment."],
     stage: true,
     spoken: "A short pause.",
@@ -109,11 +133,11 @@ function pause(phase: Phase): View {
 
 function again(phase: Phase): View {
   return {
-    title: `Interval ${phase.interval} once more`,
+    title: phase.intervals === 1 ? "Once more" : `Your ${turn(phase.interval)} once more`,
     paragraphs: ["That is quite all right."],
     stage: false,
-    spoken: `Interval ${phase.interval} is shown once more.`,
-    actions: [nextButton("Show it again")],
+    spoken: phase.intervals === 1 ? "Once more." : `Your ${turn(phase.interval)} comes once more.`,
+    actions: [nextButton("Press again")],
   };
 }
 
@@ -121,11 +145,13 @@ function question(phase: Phase): View {
   return {
     title: phase.question,
     paragraphs: [],
-    hint: phase.hint,
+    hint: touch ? "Tap your answer." : phase.hint,
     stage: false,
     spoken: `${phase.question} ${phase.spoken_hint}`,
-    actions: phase.choices.map((choice, k) => (
-      { label: choice.label, key: choice.keys[0] ?? "", primary: true, does: "answer", choice: k + 1 })),
+    actions: phase.choices.map((choice, k) => ({
+      label: choice.label,
+      aside: phase.choices.length === phase.intervals ? asInterval(phase, k + 1) : "",
+      key: touch ? "" : choice.keys[0] ?? "", primary: true, does: "answer", choice: k + 1 })),
   };
 }
 

@@ -84,6 +84,7 @@ class SittingTest : public testing::Test {
     reply("continue");
     reply("continue");
     reply("continue");
+    sitting_->poll(Sitting::Clock::now());  // intervals begin at a poll
     ASSERT_EQ(phase(), "interval");
   }
 

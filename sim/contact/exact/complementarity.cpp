@@ -1,0 +1,141 @@
+#include "sim/contact/exact/complementarity.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace palpate::sim {
+namespace {
+
+constexpr double kDelta = 1e-12;  // of the diagonal of K, added on the active set
+constexpr int kPatience = 3;      // block exchanges that may pass without fewer wrong signs [JudicePires1994]
+constexpr int kMostRefinements = 3;  // of a solve with an updated factor
+constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
+
+}  // namespace
+
+ComplementaritySolve::ComplementaritySolve(const ContactSystem& system)
+    : system_(&system), factor_(system.compliance, kDelta) {
+  const auto rows = static_cast<std::size_t>(system.compliance.rows());
+  is_active_.resize(rows);
+  wrong_.reserve(rows);
+  kept_.reserve(rows);
+  correction_.reserve(rows);
+  forces_.setZero(system.compliance.rows());
+  slack_.setZero(system.compliance.rows());
+}
+
+void ComplementaritySolve::reset() {
+  factor_.clear();
+  std::ranges::fill(is_active_, 0);
+}
+
+/// Puts the rows that hold before the contacts of the last solve.
+void ComplementaritySolve::hold(std::span<const char> holds) {
+  if (std::ranges::equal(holds, std::span(is_active_).first(holds.size())) && !factor_.rows().empty()) return;
+  kept_.clear();
+  for (const int row : factor_.rows())
+    if (row >= system_->bilateral) kept_.push_back(row);
+  factor_.clear();
+  holding_ = 0;
+  for (std::size_t row = 0; row < holds.size(); ++row) {
+    is_active_[row] = holds[row];
+    if (!holds[row]) continue;
+    factor_.append(static_cast<int>(row));
+    ++holding_;
+  }
+  for (const int row : kept_) factor_.append(row);
+}
+
+/// x and w with the active contacts closed and the others open. The factor's rounding is taken out by refinement
+/// with K itself.
+void ComplementaritySolve::solve_active(std::span<const double> values, std::span<const double> gaps) {
+  const std::span<const int> rows = factor_.rows();
+  forces_.setZero();
+  for (std::size_t i = 0; i < values.size(); ++i) slack_[static_cast<Eigen::Index>(i)] = -values[i];
+  for (std::size_t i = 0; i < gaps.size(); ++i)
+    slack_[system_->bilateral + static_cast<Eigen::Index>(i)] = gaps[i];
+  double last = std::numeric_limits<double>::infinity();
+  for (int refinement = 0; refinement <= kMostRefinements; ++refinement) {
+    correction_.clear();
+    double left = 0.0;
+    for (const int row : rows) {
+      const double rest = slack_[row] + kDelta * system_->compliance(row, row) * forces_[row];
+      correction_.push_back(-rest);
+      left = std::max(left, std::abs(rest) / system_->compliance(row, row));
+    }
+    if (left <= kRounding * forces_.lpNorm<Eigen::Infinity>() || left >= 0.5 * last) return;
+    last = left;
+    factor_.solve(correction_);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      forces_[rows[i]] += correction_[i];
+      slack_.noalias() += correction_[i] * system_->compliance.col(rows[i]);
+    }
+  }
+}
+
+/// Contacts that would pull, and open ones that overlap, by more than rounding explains.
+std::size_t ComplementaritySolve::count_wrong() {
+  wrong_.clear();
+  const double least = kRounding * forces_.lpNorm<Eigen::Infinity>();
+  for (auto row = static_cast<int>(system_->bilateral); row < forces_.size(); ++row) {
+    const bool active = is_active_[static_cast<std::size_t>(row)] != 0;
+    const double force = active ? forces_[row] : slack_[row] / system_->compliance(row, row);
+    if (force < -least) wrong_.push_back(row);
+  }
+  return wrong_.size();
+}
+
+void ComplementaritySolve::exchange(bool all) {
+  const std::span<const int> rows = all ? std::span<const int>(wrong_) : std::span<const int>(wrong_).last(1);
+  for (const int row : rows) {
+    char& active = is_active_[static_cast<std::size_t>(row)];
+    if (active) {
+      const std::span<const int> now = factor_.rows();
+      factor_.remove(static_cast<std::size_t>(std::ranges::find(now, row) - now.begin()));
+    } else {
+      factor_.append(row);
+    }
+    active = !active;
+  }
+}
+
+double ComplementaritySolve::natural_residual() const {
+  double error = 0.0, largest = 0.0;
+  for (Eigen::Index row = system_->bilateral; row < forces_.size(); ++row) {
+    const double slack = slack_[row] / system_->compliance(row, row);
+    error = std::max(error, std::abs(forces_[row] - std::max(0.0, forces_[row] - slack)));
+    largest = std::max(largest, forces_[row]);
+  }
+  return largest > 0.0 ? error / largest : 0.0;
+}
+
+ComplementarityReport ComplementaritySolve::solve(std::span<const char> holds, std::span<const double> values,
+                                                  std::span<const double> gaps) {
+  hold(holds);
+  ComplementarityReport report;
+  std::size_t fewest = std::numeric_limits<std::size_t>::max();
+  int patience = kPatience;
+  while (report.iterations < kMostIterations) {
+    ++report.iterations;
+    solve_active(values, gaps);
+    const std::size_t wrong = count_wrong();
+    if (wrong == 0) {
+      report.converged = true;
+      break;
+    }
+    if (wrong < fewest) {
+      fewest = wrong;
+      patience = kPatience;
+    } else {
+      --patience;
+    }
+    exchange(patience >= 0);
+  }
+  for (Eigen::Index row = system_->bilateral; row < forces_.size(); ++row)
+    forces_[row] = std::max(0.0, forces_[row]);
+  report.residual = natural_residual();
+  return report;
+}
+
+}  // namespace palpate::sim

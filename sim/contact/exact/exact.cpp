@@ -1,0 +1,96 @@
+#include "sim/contact/exact/exact.hpp"
+
+#include "sim/contact/exact/contact_system.hpp"
+
+namespace palpate::sim {
+namespace {
+
+/// What the probes prescribe, as rows of the system.
+void take_probes(const Model& model, const ProbeRows& probes, ExactScratch& scratch) {
+  std::size_t row = 0;
+  for (std::size_t p = 0; p < probes.size(); ++p)
+    for (Eigen::Index axis = 0; axis < model.probes[p].axes.cols(); ++axis, ++row) {
+      scratch.holds[row] = probes[p].pressing ? 1 : 0;
+      scratch.values[row] = probes[p].value[axis];
+    }
+}
+
+/// The push of every contact on both bodies.
+void add_contacts(ExactScratch& scratch, Loads& loads) {
+  for (const int row : scratch.solve.active().subspan(scratch.solve.holding())) {
+    const FacingPair& pair = scratch.pairs[static_cast<std::size_t>(row - scratch.system.bilateral)];
+    const Vec3 push = scratch.solve.forces()[row] * pair.normal;
+    loads.on_body[pair.node_body].segment<3>(3 * pair.node) += push;
+    for (std::size_t k = 0; k < 3; ++k)
+      loads.on_body[pair.polygon_body].segment<3>(3 * pair.corners[k]) -=
+          pair.weights[static_cast<Eigen::Index>(k)] * push;
+    PairSummary& summary = scratch.summaries[pair.touch_pair];
+    summary.active += scratch.solve.forces()[row] > 0.0 ? 1 : 0;
+    const bool first = pair.node_body == scratch.first_body[pair.touch_pair];
+    summary.force_on[first ? 0 : 1] += push;
+    summary.force_on[first ? 1 : 0] -= push;
+  }
+}
+
+/// What the probes push more or less than without contact.
+void add_to_probes(const Model& model, ExactScratch& scratch, Response& response) {
+  const std::span<const int> rows = scratch.solve.active();
+  const std::size_t holding = scratch.solve.holding();
+  scratch.given.assign(holding, 0.0);
+  for (std::size_t i = 0; i < holding; ++i)
+    for (const int row : rows.subspan(holding))
+      scratch.given[i] -= scratch.system.compliance(row, rows[i]) * scratch.solve.forces()[row];
+  scratch.solve.solve_bilateral(scratch.given);
+  std::size_t i = 0;
+  int row = 0;
+  for (std::size_t p = 0; p < model.probes.size(); ++p) {
+    const Probe& probe = model.probes[p];
+    for (Eigen::Index axis = 0; axis < probe.axes.cols(); ++axis, ++row) {
+      if (i == holding || rows[i] != row) continue;
+      const Vec3 force = scratch.given[i++] * probe.axes.col(axis);
+      response.probe_forces[p] += force;
+      for (std::size_t k = 0; k < probe.nodes.size(); ++k)
+        response.loads.on_body[probe.body].segment<3>(3 * probe.nodes[k]) += probe.weights[k] * force;
+    }
+  }
+}
+
+std::unique_ptr<LawScratch> prepare_exact(const Model& model) {
+  if (model.pairs.empty()) return nullptr;
+  return std::make_unique<ExactScratch>(model);
+}
+
+SolveReport solve_exact(const Model& model, const FreeState& free, std::span<const double>,
+                        LawScratch& scratch, Response& response) {
+  auto& own = static_cast<ExactScratch&>(scratch);
+  take_probes(model, free.probes, own);
+  const ComplementarityReport found = own.solve.solve(own.holds, own.values, own.gaps);
+  add_contacts(own, response.loads);
+  add_to_probes(model, own, response);
+  return {.stop = found.converged ? Stop::Converged : Stop::CapReached,
+          .iterations = found.iterations,
+          .residual = found.residual};
+}
+
+}  // namespace
+
+ExactScratch::ExactScratch(const Model& model)
+    : pairs(facing_pairs(model)), system(contact_system(model, pairs)), solve(system) {
+  summaries.resize(model.pairs.size());
+  for (const FacingPair& pair : pairs) gaps.push_back(pair.gap);
+  for (const TouchPair& pair : model.pairs) first_body.push_back(pair.bodies[0]);
+  const auto rows = static_cast<std::size_t>(system.bilateral);
+  holds.resize(rows);
+  values.resize(rows);
+  given.reserve(rows);
+}
+
+constinit const ContactLaw kExact{
+    .name = "exact",
+    .meaning =
+        "they push and never pull, action and reaction in balance: unilateral contact, solved to a "
+        "stated bound",
+    .prepare = prepare_exact,
+    .solve = solve_exact};
+
+}  // namespace palpate::sim

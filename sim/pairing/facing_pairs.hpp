@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/model/model.hpp"
+
+namespace palpate::sim {
+
+/// A node of one body and the place on the surface of another that is nearest to it at rest. To first order the
+/// gap between them is gap + normal . (u of the node - weighted mean of u of the corners), u the displacements.
+struct FacingPair {
+  int touch_pair = 0;           // index into Model::pairs
+  int node_body = 0, node = 0;  // body and touch index
+  int polygon_body = 0;
+  Triangle corners{};           // of the polygon, touch indices
+  Vec3 weights = Vec3::Zero();  // of the corners, sum 1
+  Vec3 normal = Vec3::UnitZ();  // unit, from the place to the node: out of the polygon's body
+  double gap = 0.0;             // at rest [m], >= 0 but for rounding
+};
+
+/// Every node that can collide, of either body of each pair, with the place that it faces. Nodes are left out whose
+/// own surface looks away from that place (the far side of a body), or that face the rim of a touchable patch, beyond
+/// which the surface is not known. Order: touch pairs as in the model; the nodes of the first body, then of the
+/// second, ascending.
+std::vector<FacingPair> facing_pairs(const Model& model);
+
+}  // namespace palpate::sim
