@@ -125,7 +125,7 @@ constexpr std::string_view kIntroduction =
     "--studies` take one with `--observer FILE`; without it they take `protocols/observers/default.toml`, which "
     "gives the source of every figure. `between_examinees` and `within_examinee` are standard deviations.";
 
-void add_table(std::string path, std::string_view meaning, std::span<const Key> keys,
+void add_table(const std::string& path, std::string_view meaning, std::span<const Key> keys,
                base::FileFormat& format) {
   format.tables.push_back(
       {.path = path, .meaning = meaning, .keys = {keys.begin(), keys.end()}, .shown = {{.path = path}}});

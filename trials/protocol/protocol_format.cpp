@@ -23,23 +23,23 @@ std::string quoted(std::string_view word) {
 }
 
 /// A table that a word of `kind` chooses the further keys of.
-void add_kind(std::string path, std::string_view meaning, std::span<const Key> common, std::string_view first,
-              base::FileFormat& format) {
+void add_kind(const std::string& path, std::string_view meaning, std::span<const Key> common,
+              std::string_view first, base::FileFormat& format) {
   format.tables.push_back({.path = path,
                            .meaning = meaning,
                            .keys = listed(common),
                            .shown = {{.path = path, .examples = {{"kind", quoted(first)}}}}});
 }
 
-void add_room(std::string path, std::string_view kind, std::string_view name, std::span<const Key> keys,
-              bool shown, base::FileFormat& format) {
+void add_room(const std::string& path, std::string_view kind, std::string_view name,
+              std::span<const Key> keys, bool shown, base::FileFormat& format) {
   if (keys.empty()) return;
   format.tables.push_back(
       {.path = path, .called = fmt::format("{} = \"{}\"", kind, name), .keys = listed(keys), .shown = {}});
   if (shown) format.tables.back().shown = {{.path = path}};
 }
 
-void add_table(std::string path, std::string_view meaning, std::span<const Key> keys,
+void add_table(const std::string& path, std::string_view meaning, std::span<const Key> keys,
                base::FileFormat& format) {
   format.tables.push_back(
       {.path = path, .meaning = meaning, .keys = listed(keys), .shown = {{.path = path}}});
