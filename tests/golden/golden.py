@@ -21,7 +21,7 @@ PRESS_STEPS = "10"
 # Another processor may round the last bits otherwise (fused multiply-add, the BLAS kernel that is chosen): forces and
 # depths then differ by some 1e-12 of themselves, and by 1e-7 where they were kept in single precision in a trace.
 CLOSE = 1e-6
-MOMENT = re.compile(r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d[.\d]*Z")
+MOMENT = re.compile(r"\d{4}-\d\d-\d\d[T ]\d\d:\d\d:\d\d(?:[.\d]*Z| UTC)?")
 
 
 def run(program, *arguments):
