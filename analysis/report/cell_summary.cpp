@@ -81,7 +81,7 @@ std::string without_claim(const StudyReport& report, const CellResult& cell, con
 
 // "p = 0.010", and where the protocol adjusts "p = 0.010, after Holm over 2 cells p = 0.020".
 std::string test_in_words(const StudyReport& report, const CellResult& cell) {
-  const std::string p = p_in_words(cell.primary->p.of(cell.primary->side));
+  std::string p = p_in_words(cell.primary->p.of(cell.primary->side));
   if (!cell.p_adjusted) return p;
   const auto tested =
       std::ranges::count_if(report.cells, [](const CellResult& other) { return other.primary.has_value(); });

@@ -29,15 +29,19 @@ std::string in_words(const EvidenceForChance& evidence) {
   std::string text;
   if (evidence.similarity) {
     const SimilarityTest& test = *evidence.similarity;
-    text = fmt::format(
-        "At most {} of the presentations were told apart and not guessed (one-sided {} bound), {} ({}).",
-        percent(test.discriminators_up_to), short_percent(1 - test.alpha),
-        test.similar
-            ? fmt::format("so the conditions count as similar where {} may be",
-                          short_percent(test.bound_discriminators))
-            : fmt::format("so it is not shown either that they are similar, which takes less than {}",
-                          short_percent(test.bound_discriminators)),
-        p_in_words(test.p));
+    text =
+        test.discriminators_up_to >= 1.0
+            ? std::string("Any share of the presentations may have been told apart.")
+            : fmt::format(
+                  "At most {} of the presentations were told apart and not guessed (one-sided {} bound), {} ({}).",
+                  percent(test.discriminators_up_to), short_percent(1 - test.alpha),
+                  test.similar
+                      ? fmt::format("so the conditions count as similar where {} may be",
+                                    short_percent(test.bound_discriminators))
+                      : fmt::format(
+                            "so it is not shown either that they are similar, which takes less than {}",
+                            short_percent(test.bound_discriminators)),
+                  p_in_words(test.p));
   }
   return text + (text.empty() ? "" : " ") + factor_in_words(evidence.bayes);
 }

@@ -20,9 +20,9 @@ long answers_not_counted(const StudyReport& report) {
 std::string sample_sentence(const StudyReport& report) {
   long answers = 0;
   for (const CellResult& cell : report.cells) answers += cell.trials;
-  std::string text = fmt::format("{} of {} planned {} completed the study; {} counted",
-                                 report.complete_examinees, report.planned_examinees,
-                                 report.run_mode == "simulated" ? "simulated examinees" : "examinees",
+  const std::string kind = report.run_mode == "simulated" ? "planned simulated examinee" : "planned examinee";
+  std::string text = fmt::format("{} of {} completed the study; {} counted", report.complete_examinees,
+                                 counted(report.planned_examinees, kind, kind + "s"),
                                  answers == 1 ? "1 answer is" : fmt::format("{} answers are", answers));
   const long others = answers_not_counted(report);
   if (others > 0) {
@@ -130,8 +130,9 @@ std::vector<std::string> banners(const StudyReport& report) {
         first_taken(report)));
   } else if (!report.complete) {
     banners.push_back(fmt::format(
-        "{}: {} of {} planned examinees are complete.{}", report.withheld ? "NOT COMPLETE" : "INTERIM LOOK",
-        report.complete_examinees, report.planned_examinees,
+        "{}: {} of {} {} complete.{}", report.withheld ? "NOT COMPLETE" : "INTERIM LOOK",
+        report.complete_examinees, counted(report.planned_examinees, "planned examinee", "planned examinees"),
+        report.complete_examinees == 1 ? "is" : "are",
         report.withheld ? " No result is shown before the planned sample is reached."
                         : " The tests below were read before the planned sample was reached; to stop because "
                           "of them would make false positives more frequent than alpha."));

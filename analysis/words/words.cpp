@@ -94,10 +94,17 @@ std::size_t columns(std::string_view text) {
 }
 
 std::string wrapped(std::string_view text, std::string_view first, std::string_view next, std::size_t width) {
-  std::istringstream words{std::string(text)};
-  std::string out, row(first), word;
+  std::vector<std::string> words;
+  std::istringstream source{std::string(text)};
+  for (std::string word; source >> word;) {
+    if (word.starts_with('%') && !words.empty())  // a number and its sign stay together
+      words.back() += " " + word;
+    else
+      words.push_back(word);
+  }
+  std::string out, row(first);
   bool empty = true;
-  while (words >> word) {
+  for (const std::string& word : words) {
     if (!empty && columns(row) + 1 + columns(word) > width) {
       out += row + "\n";
       row = next;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <limits>
 
 #include "sim/scene/accepted.hpp"
 #include "sim/scene/scene.hpp"
@@ -16,6 +17,8 @@ using base::Key;
 base::Words units_of_length() {
   return {.now = {{"m"}, {"cm"}, {"mm"}, {"um"}}, .later = {}};
 }
+
+constexpr double kAny = std::numeric_limits<double>::infinity();  // no bound
 
 constexpr std::string_view kSelection =
     "a group's name, node numbers, or a box { lower = [...], upper = [...] }";
@@ -151,7 +154,7 @@ constexpr std::array kProbeKeys{
         .meaning = "Where it presses: the node of the body's free surface that is nearest to this place.",
         .in_use = true},
     Key{.name = "node",
-        .takes = base::takes_whole(-INFINITY, INFINITY),
+        .takes = base::takes_whole(-kAny, kAny),
         .example = "5",
         .absent = "`at` says where",
         .meaning = "In place of `at`: a node's number in the mesh file.",

@@ -47,7 +47,7 @@ ordered_json json_of(const StevensFit& fit) {
           {"interval", to_json(fit.interval)},
           {"t", to_json(fit.t)},
           {"degrees_of_freedom", fit.degrees_of_freedom},
-          {"p", fit.p},
+          {"p", to_json(fit.p)},
           {"residual_deviation", fit.residual_deviation},
           {"r_squared", fit.r_squared},
           {"levels", levels},
@@ -60,9 +60,15 @@ std::string in_words(const StevensFit& fit) {
   std::string text =
       fmt::format("{} of {}\n", counted(static_cast<long>(fit.estimates), "estimate", "estimates"),
                   counted(static_cast<long>(fit.examinees), "examinee", "examinees"));
-  text += fmt::format("Exponent {} (standard error {}, {} interval {}; t = {}, df {}, {} against 0)\n",
-                      number(fit.exponent), number(fit.standard_error), short_percent(fit.interval.level),
-                      range(fit.interval), number(fit.t), fit.degrees_of_freedom, p_in_words(fit.p));
+  text +=
+      fit.perfect
+          ? fmt::format(
+                "Exponent {}; every estimate lies on the line but for rounding, so that there is no "
+                "spread to give an interval or a test by\n",
+                number(fit.exponent))
+          : fmt::format("Exponent {} (standard error {}, {} interval {}; t = {}, df {}, {} against 0)\n",
+                        number(fit.exponent), number(fit.standard_error), short_percent(fit.interval.level),
+                        range(fit.interval), number(fit.t), fit.degrees_of_freedom, p_in_words(fit.p));
   if (fit.by_examinee) {
     const ExponentsOfExaminees& own = *fit.by_examinee;
     text += fmt::format(

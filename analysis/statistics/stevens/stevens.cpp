@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <stdexcept>
 
@@ -12,6 +13,9 @@
 
 namespace palpate::analysis {
 namespace {
+
+// Of the sum of squares: what of it rounding leaves about a line on which all estimates lie.
+constexpr double kRounding = 1e-14;
 
 struct Point {
   double x, y;  // logarithms of level and estimate
@@ -134,12 +138,20 @@ StevensFit stevens_fit(const std::vector<MagnitudeEstimate>& estimates, double l
   }
   const double degrees = static_cast<double>(fit.degrees_of_freedom);
   fit.exponent = sums.xy / sums.xx;
-  const double left = std::max(0.0, sums.yy - fit.exponent * sums.xy);
+  double left = std::max(0.0, sums.yy - fit.exponent * sums.xy);
+  fit.perfect = left <= kRounding * sums.yy;
+  if (fit.perfect) left = 0.0;
   fit.residual_deviation = std::sqrt(left / degrees);
   fit.standard_error = fit.residual_deviation / std::sqrt(sums.xx);
-  fit.interval = t_interval(fit.exponent, fit.standard_error, degrees, level);
-  fit.t = fit.exponent / fit.standard_error;
-  fit.p = std::isfinite(fit.t) ? 2 * cdf(complement(boost::math::students_t(degrees), std::abs(fit.t))) : 0.0;
+  if (fit.perfect) {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    fit.t = fit.p = kNone;
+    fit.interval = {.lower = kNone, .upper = kNone, .level = level, .method = "none"};
+  } else {
+    fit.interval = t_interval(fit.exponent, fit.standard_error, degrees, level);
+    fit.t = fit.exponent / fit.standard_error;
+    fit.p = 2 * cdf(complement(boost::math::students_t(degrees), std::abs(fit.t)));
+  }
   fit.r_squared = sums.yy > 0 ? 1 - left / sums.yy : 0.0;
   fit.levels = level_means(estimates);
   for (const LevelMean& mean : fit.levels) fit.balanced = fit.balanced && mean.examinees == fit.examinees;

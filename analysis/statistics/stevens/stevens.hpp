@@ -37,6 +37,8 @@ struct StevensFit {
   std::size_t examinees = 0;
   std::size_t estimates = 0;
   double exponent = 0.0;
+  bool perfect =
+      false;  // every estimate lies on the line but for rounding: no interval, t or p can be given (NaN)
   double standard_error = 0.0;
   Interval interval{};  // Student's t
   double t = 0.0;       // of an exponent of 0

@@ -129,3 +129,18 @@ TEST(Stevens, RefusesWhatItCannotAnswer) {
               HasSubstr("no examinee judged two levels"));
   EXPECT_THAT(refusal_of_estimates({{"a", 1, 1}, {"a", 2, 2}}), HasSubstr("none is left over"));
 }
+
+// Rounding is no spread: 3 * level^0.7 to the last bit of a double.
+TEST(Stevens, GivesNoTestOfAPerfectPowerLaw) {
+  std::vector<MagnitudeEstimate> all;
+  for (int examinee = 0; examinee < 3; ++examinee)
+    for (const double level : {1.0, 2.0, 4.0, 8.0, 11.0})
+      all.push_back({std::to_string(examinee), level, (3 + examinee) * std::pow(level, 0.7)});
+  const StevensFit fit = stevens_fit(all);
+  EXPECT_TRUE(fit.perfect);
+  EXPECT_NEAR(fit.exponent, 0.7, 1e-14);
+  EXPECT_EQ(fit.standard_error, 0.0);
+  EXPECT_TRUE(std::isnan(fit.t) && std::isnan(fit.p) && std::isnan(fit.interval.lower));
+  all.back().estimate *= 1 + 1e-5;
+  EXPECT_FALSE(stevens_fit(all).perfect);
+}
