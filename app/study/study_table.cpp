@@ -125,17 +125,6 @@ std::size_t part_of_session(const std::vector<trials::MergedPart>& parts, std::i
   return part;
 }
 
-std::vector<std::string> versions_that_resumed(const std::vector<trials::EventRow>& events,
-                                               std::int64_t session) {
-  std::vector<std::string> versions;
-  for (const trials::EventRow& event : events) {
-    if (event.session != session) continue;
-    const auto version = trials::version_resumed_by(event);
-    if (version && std::ranges::find(versions, *version) == versions.end()) versions.push_back(*version);
-  }
-  return versions;
-}
-
 // The sittings, and where each stands in the table, by its id.
 std::map<std::int64_t, std::size_t> add_sessions(const trials::StudyFile& study, const Written& written,
                                                  const std::vector<trials::MergedPart>& parts,
@@ -146,7 +135,7 @@ std::map<std::int64_t, std::size_t> add_sessions(const trials::StudyFile& study,
     places[session.id] = table.sessions.size();
     table.sessions.push_back(session_of(table.design.protocol_sha256, session));
     table.sessions.back().part = part_of_session(parts, session.id);
-    table.sessions.back().later_versions = versions_that_resumed(events, session.id);
+    table.sessions.back().later_versions = trials::versions_that_resumed(events, session.id);
     const auto begun = written.begun.find(session.id);
     if (begun != written.begun.end()) table.sessions.back().begun = written.place(begun->second);
   }

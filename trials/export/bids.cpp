@@ -12,6 +12,7 @@
 #include "trials/export/datasets.hpp"
 #include "trials/export/json_number.hpp"
 #include "trials/export/words.hpp"
+#include "trials/study/resumption.hpp"
 #include "trials/tables/delimited.hpp"
 
 namespace palpate::trials {
@@ -65,7 +66,9 @@ std::map<SittingKey, Table> by_sitting(const Table& table) {
   return parts;
 }
 
-ordered_json sidecar_of(const Protocol& protocol, const SessionRow& session) {
+/// @param later  versions of the program that took the sitting up again
+ordered_json sidecar_of(const Protocol& protocol, const SessionRow& session,
+                        const std::vector<std::string>& later) {
   const SessionFacts& facts = session.facts;
   ordered_json object = {
       {"TaskName", protocol.name},
@@ -83,6 +86,7 @@ ordered_json sidecar_of(const Protocol& protocol, const SessionRow& session) {
       {"Started", session.started_utc},
       {"TimesResumed", session.times_resumed},
       {"Finished", session.ended_utc.has_value()}};
+  if (!later.empty()) object["LaterSoftwareVersions"] = later;
   if (!facts.channel.empty()) object["PseudoHapticChannel"] = facts.channel;
   return object;
 }
@@ -91,7 +95,11 @@ ordered_json sidecar_of(const Protocol& protocol, const SessionRow& session) {
 class Writer {
  public:
   Writer(const StudyFile& study, const ExportFacts& facts, base::NewFolder& files)
-      : study_(study), facts_(facts), files_(files), task_(label_of(study.protocol().name)) {
+      : study_(study),
+        facts_(facts),
+        files_(files),
+        task_(label_of(study.protocol().name)),
+        events_(study.events()) {
     const auto answered = answered_trials(study);
     const auto unanswered = exposures(study);
     for (const Table& table : checked_tables(study, answered, unanswered))
@@ -132,7 +140,8 @@ class Writer {
       if (part == tables_[i].end()) continue;
       any = true;
       files_.add(fmt::format("{}{}_beh.tsv", stem, kAcquisition[i]), to_tsv(part->second));
-      ordered_json object = sidecar_of(study_.protocol(), session);
+      ordered_json object =
+          sidecar_of(study_.protocol(), session, versions_that_resumed(events_, session.id));
       add_columns(object, part->second.columns);
       add_json(fmt::format("{}{}_beh.json", stem, kAcquisition[i]), object);
     }
@@ -152,7 +161,7 @@ class Writer {
                             "begins anew with each; trial, interval and counted = 1 lead to the row of the "
                             "table acq-intervals."}};
     for (const Column& column : physio_columns()) object["Columns"].push_back(column.name);
-    object.update(sidecar_of(study_.protocol(), session));
+    object.update(sidecar_of(study_.protocol(), session, versions_that_resumed(events_, session.id)));
     add_columns(object, physio_columns());
     add_json(stem + ".json", object);
   }
@@ -228,6 +237,7 @@ class Writer {
   const ExportFacts& facts_;
   base::NewFolder& files_;
   std::string task_;
+  std::vector<EventRow> events_;
   std::vector<std::map<SittingKey, Table>> tables_{};
   std::map<std::int64_t, std::vector<Felt>> felt_{};
   std::map<std::string, std::vector<SessionRow>> sittings_{};

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace palpate::trials {
 namespace {
 
@@ -18,6 +20,16 @@ std::optional<std::string> version_resumed_by(const EventRow& event) {
   if (event.kind != event_kind::kResumed || !event.text.starts_with(kProgram) || end == std::string::npos)
     return std::nullopt;
   return event.text.substr(kProgram.size(), end - kProgram.size());
+}
+
+std::vector<std::string> versions_that_resumed(const std::vector<EventRow>& events, std::int64_t session) {
+  std::vector<std::string> versions;
+  for (const EventRow& event : events) {
+    if (event.session != session) continue;
+    const auto version = version_resumed_by(event);
+    if (version && std::ranges::find(versions, *version) == versions.end()) versions.push_back(*version);
+  }
+  return versions;
 }
 
 }  // namespace palpate::trials

@@ -98,6 +98,17 @@ TEST_F(Datasets, HaveWhatExamineesWrote) {
               HasSubstr("sub-P01\tses-2\tn/a\tstrategy\tthe \"softer\" one, I think\t"));
 }
 
+TEST_F(Datasets, NameEveryVersionThatLedASitting) {
+  SessionFacts newer = test::facts_of("R3");
+  newer.software_version = "0.2.0";
+  start_session(study_, protocol_, newer);  // takes up the one that was killed
+  export_bids(study_, facts_, folder_ / "out");
+  const auto sidecar = json::parse(
+      test::read(folder_ / "out/sub-R3/ses-1/beh/sub-R3_ses-1_task-kuroda2003_acq-events_beh.json"));
+  EXPECT_EQ(sidecar.at("SoftwareVersion"), "0.1.0");
+  EXPECT_EQ(sidecar.at("LaterSoftwareVersions"), json::array({"0.2.0"}));
+}
+
 TEST_F(Datasets, HaveTheForceOfEveryPresentation) {
   export_bids(study_, facts_, folder_ / "out");
   const auto sidecar =
