@@ -40,12 +40,13 @@ std::vector<analysis::OrderStratum> strata(const std::vector<trials::SittingCoun
 Rejected adjusted_test(const analysis::StudyDesign& design,
                        const std::vector<std::vector<trials::SittingCount>>& counts) {
   std::vector<double> p;
+  p.reserve(counts.size());
   for (const auto& cell : counts)
     p.push_back(analysis::primary_test(design, strata(cell), 0.95, std::nullopt)
                     .p.of(analysis::side_from_name(design.side)));
-  Rejected rejected;
-  for (const double adjusted : analysis::adjusted(design.adjust, p))
-    rejected.push_back(adjusted <= design.alpha);
+  const std::vector<double> adjusted = analysis::adjusted(design.adjust, p);
+  Rejected rejected(adjusted.size());
+  std::ranges::transform(adjusted, rejected.begin(), [&](double one) { return one <= design.alpha; });
   return rejected;
 }
 

@@ -27,13 +27,15 @@ void add_body(const Scene& scene, const BodySpec& spec, ComplianceCache& cache, 
   model.bodies.push_back(std::move(body));
 }
 
-void add_pair(const std::array<std::string, 2>& names, Model& model) {
+void add_pair(const std::array<std::string, 2>& names, const std::string& nodes_of, Model& model) {
   const auto a = std::ranges::find(model.bodies, names[0], &Body::name);
   const auto b = std::ranges::find(model.bodies, names[1], &Body::name);
   if (a == model.bodies.end() || b == model.bodies.end()) return;  // one of them is not present
   refuse_overlap(*a, *b);
-  model.pairs.push_back(
-      {{static_cast<int>(a - model.bodies.begin()), static_cast<int>(b - model.bodies.begin())}});
+  TouchPair pair{{static_cast<int>(a - model.bodies.begin()), static_cast<int>(b - model.bodies.begin())}};
+  if (std::ranges::find(names, nodes_of) != names.end())
+    pair.meets = {names[0] == nodes_of, names[1] == nodes_of};
+  model.pairs.push_back(pair);
 }
 
 Model compile_all(const Scene& scene, ComplianceCache& cache) {
@@ -42,7 +44,7 @@ Model compile_all(const Scene& scene, ComplianceCache& cache) {
   model.probes.resize(scene.probes.size());
   for (const BodySpec& spec : scene.bodies)
     if (spec.present) add_body(scene, spec, cache, model);
-  for (const auto& names : scene.contact.touch) add_pair(names, model);
+  for (const auto& names : scene.contact.touch) add_pair(names, scene.contact.nodes_of, model);
   fill_effects(scene, model);
   return model;
 }

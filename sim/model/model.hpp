@@ -56,6 +56,7 @@ struct Probe {
 
 struct TouchPair {
   std::array<int, 2> bodies{};
+  std::array<bool, 2> meets{true, true};  // whether the nodes of each body meet the other's polygons (exact)
 };
 
 /// A scene compiled: constant while the haptic loop runs, shared by threads.

@@ -65,8 +65,8 @@ std::vector<FacingPair> facing_pairs(const Model& model) {
   std::vector<FacingPair> pairs;
   for (int p = 0; p < std::ssize(model.pairs); ++p) {
     const auto [a, b] = model.pairs[p].bodies;
-    add_facing(model, p, a, b, pairs);
-    add_facing(model, p, b, a, pairs);
+    if (model.pairs[p].meets[0]) add_facing(model, p, a, b, pairs);
+    if (model.pairs[p].meets[1]) add_facing(model, p, b, a, pairs);
   }
   return pairs;
 }

@@ -18,7 +18,7 @@ struct FacingPair {
   double gap = 0.0;             // at rest [m], >= 0 but for rounding
 };
 
-/// Every node that can collide, of either body of each pair, with the place that it faces. Nodes are left out whose
+/// Every node that can collide, of the bodies of each pair whose nodes meet polygons (TouchPair::meets), with the place that it faces. Nodes are left out whose
 /// own surface looks away from that place (the far side of a body), or that face the rim of a touchable patch, beyond
 /// which the surface is not known. Order: touch pairs as in the model; the nodes of the first body, then of the
 /// second, ascending.

@@ -152,6 +152,26 @@ BodySpec read_body(base::TomlReader reader, const std::string& name, const std::
   return body;
 }
 
+/// The body whose nodes alone meet polygons; nothing for those of both.
+std::string read_pairing(base::TomlReader& reader, const ContactSpec& contact) {
+  constexpr std::string_view kNodesOf = "nodes of ", kExact = "exact";
+  const std::string pairing = reader.text("pairing");
+  if (contact.model != kExact)
+    reader.refuse("pairing",
+                  fmt::format("is for the contact model {}, and model is \"{}\"; accepted: the scene "
+                              "without it, or model = \"{}\"",
+                              kExact, contact.model, kExact));
+  if (pairing == "both") return {};
+  const std::string body = pairing.starts_with(kNodesOf) ? pairing.substr(kNodesOf.size()) : "";
+  std::vector<std::string> accepted;
+  for (const auto& pair : contact.touch)
+    for (const std::string& name : pair)
+      if (std::ranges::find(accepted, name) == accepted.end()) accepted.push_back(name);
+  if (std::ranges::find(accepted, body) != accepted.end()) return body;
+  reader.refuse("pairing", fmt::format("found \"{}\", accepted: \"both\", \"{}{}\"", pairing, kNodesOf,
+                                       fmt::join(accepted, fmt::format("\", \"{}", kNodesOf))));
+}
+
 ContactSpec read_contact(base::TomlReader reader) {
   ContactSpec contact;
   for (const toml::node& item : reader.as_array("touch", reader.other("touch"))) {
@@ -161,6 +181,7 @@ ContactSpec read_contact(base::TomlReader reader) {
     contact.touch.push_back({*(*pair)[0].value<std::string>(), *(*pair)[1].value<std::string>()});
   }
   contact.model = reader.word("model");
+  if (reader.has("pairing")) contact.nodes_of = read_pairing(reader, contact);
   contact.effects = read_effects(reader, "contact");
   reader.refuse_unknown();
   return contact;

@@ -130,6 +130,13 @@ constexpr std::array kContactKeys{
         .takes = base::takes_word(contact_model_words),
         .example = "\"kuroda\"",
         .meaning = "The contact model: what bodies that touch do to each other."},
+    Key{.name = "pairing",
+        .takes = base::kText,
+        .example = "\"nodes of prostate\"",
+        .absent = "\"both\"",
+        .meaning = "With the contact model `exact`: whose nodes are kept out of the other body: \"both\", or "
+                   "\"nodes of BODY\" in every pair of that body.",
+        .along = "model = \"exact\""},
 };
 
 constexpr std::array kProbeKeys{

@@ -96,7 +96,7 @@ void ComplementaritySolve::exchange(bool all) {
     } else {
       factor_.append(row);
     }
-    active = !active;
+    active = active == 0 ? 1 : 0;
   }
 }
 

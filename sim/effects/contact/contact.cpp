@@ -3,14 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 namespace palpate::sim {
 namespace {
-
-// A choice of pairing is a part of contact that this version does not have.
-constexpr std::array<EffectKey, 1> kLaterOfContact{
-    {{"contact", {.name = "pairing"}, "a choice of pairing (contact model exact)"}}};
 
 bool is_present(const Scene& scene, const std::string& name) {
   return std::ranges::any_of(scene.bodies,
@@ -30,7 +25,6 @@ EffectState state_of_contact(const Scene& scene) {
 
 }  // namespace
 
-constinit const Effect kContact{
-    .name = "contact", .keys = kLaterOfContact, .state = state_of_contact, .without = without_contact};
+constinit const Effect kContact{.name = "contact", .state = state_of_contact, .without = without_contact};
 
 }  // namespace palpate::sim

@@ -47,7 +47,7 @@ TEST(Effects, ThatAreOnCanBeTakenOutOfAModel) {
 }
 
 TEST(Effects, OfLaterVersionsAreRefusedByTheirKeys) {
-  EXPECT_EQ(effect_keys().size(), 4U);
+  EXPECT_EQ(effect_keys().size(), 3U);
   for (const EffectKey& later : effect_keys()) {
     const std::string table = later.table == "bodies" ? "bodies.upper" : std::string(later.table);
     const std::vector<Override> calling{{table + "." + std::string(later.key.name), "1"}};

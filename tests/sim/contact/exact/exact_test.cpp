@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <random>
 
@@ -210,6 +211,21 @@ TEST(Exact, MirrorImagesShareTheOverlapEqually) {
     EXPECT_NEAR(lower[i], upper[i], 1e-12);
     EXPECT_NEAR(lower[i + 2], -upper[i + 2], 1e-12);
   }
+}
+
+// With the nodes of one body alone the other's may enter it, and nothing else changes: the rows are a part of those
+// of both.
+TEST(Exact, TakesTheNodesOfOneBodyWhereItIsAskedTo) {
+  const auto rows_of = [](const char* pairing) {
+    const Model model = compile_scene(write_two_boxes({.divisions = 5, .shift = 1.7e-3}),
+                                      with({{"contact.pairing", pairing}}));
+    return ExactScratch(model).pairs;
+  };
+  const auto both = rows_of("both"), upper = rows_of("nodes of upper"), lower = rows_of("nodes of lower");
+  EXPECT_EQ(both.size(), upper.size() + lower.size());
+  EXPECT_FALSE(upper.empty() || lower.empty());
+  EXPECT_TRUE(std::ranges::all_of(upper, [](const FacingPair& pair) { return pair.node_body == 0; }));
+  EXPECT_TRUE(std::ranges::all_of(lower, [](const FacingPair& pair) { return pair.node_body == 1; }));
 }
 
 TEST(Exact, APairThatIsOutOfReachPushesNothing) {
