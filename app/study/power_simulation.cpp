@@ -45,8 +45,9 @@ Rejected adjusted_test(const analysis::StudyDesign& design,
     p.push_back(analysis::primary_test(design, strata(cell), 0.95, std::nullopt)
                     .p.of(analysis::side_from_name(design.side)));
   const std::vector<double> adjusted = analysis::adjusted(design.adjust, p);
-  Rejected rejected(adjusted.size());
-  std::ranges::transform(adjusted, rejected.begin(), [&](double one) { return one <= design.alpha; });
+  Rejected rejected;
+  rejected.reserve(adjusted.size());
+  for (const double one : adjusted) rejected.push_back(one <= design.alpha);
   return rejected;
 }
 
