@@ -11,12 +11,13 @@
 namespace palpate::analysis {
 namespace {
 
-constexpr double kWidth = 720, kLeft = 120, kRight = 690, kTop = 64, kRow = 104, kBar = 26, kHill = 40;
+constexpr double kPlot = 570, kMargin = 30, kTop = 64, kRow = 104, kBar = 26, kHill = 40;
 
 // Cells of one size share an axis of counts; cells of different sizes are only comparable in percent.
 struct Scale {
   Axis axis{};
   bool counts = true;
+  double left() const { return axis.pixel_low; }
   double at(double correct, long trials) const {
     return axis.at(counts ? correct : 100 * correct / static_cast<double>(trials));
   }
@@ -35,8 +36,10 @@ Scale scale_of(const StudyReport& report) {
                       : nice_axis(0, 100, 10, false, "correct answers (%)");
   std::erase_if(scale.axis.ticks, [counts](double tick) { return counts && tick != std::floor(tick); });
   scale.axis.decimals = 0;
-  scale.axis.pixel_low = kLeft;
-  scale.axis.pixel_high = kRight;
+  std::vector<std::string> names;
+  for (const CellResult& cell : report.cells) names.push_back(cell.name);
+  scale.axis.pixel_low = room_for(names, 120);
+  scale.axis.pixel_high = scale.axis.pixel_low + kPlot;
   return scale;
 }
 
@@ -99,14 +102,15 @@ std::string inference(const CellResult& cell, const Scale& scale, double y) {
 }
 
 std::string row(const CellResult& cell, const Scale& scale, double y, std::size_t index) {
-  std::string marks = label(kLeft - 12, y + kBar / 2 - 2, "end", cell.name, "class=\"row\"");
+  std::string marks = label(scale.left() - 12, y + kBar / 2 - 2, "end", cell.name, "class=\"row\"");
   if (cell.trials == 0)
-    return marks + label(kLeft + 6, y + kBar / 2 + 5, "start", "no answers", "class=\"tick\"");
-  marks += label(kLeft - 12, y + kBar / 2 + 15, "end", fmt::format("{} of {}", cell.correct, cell.trials),
-                 "class=\"tick\"");
+    return marks + label(scale.left() + 6, y + kBar / 2 + 5, "start", "no answers", "class=\"tick\"");
+  marks += label(scale.left() - 12, y + kBar / 2 + 15, "end",
+                 fmt::format("{} of {}", cell.correct, cell.trials), "class=\"tick\"");
   if (cell.primary) marks += hill(cell, scale, y);
   const double end = scale.at(static_cast<double>(cell.correct), cell.trials);
-  marks += rectangle(kLeft, y, end - kLeft, kBar, fmt::format("fill=\"{}\" class=\"bar\"", colour(index)));
+  marks += rectangle(scale.left(), y, end - scale.left(), kBar,
+                     fmt::format("fill=\"{}\" class=\"bar\"", colour(index)));
   return cell.primary ? marks + inference(cell, scale, y) : marks;
 }
 
@@ -132,8 +136,8 @@ std::string answers_picture(const StudyReport& report) {
   }
   const double chance = scale.axis.at(report.design.chance * scale.axis.high);
   marks += line(chance, bottom, chance, kTop - 52, "class=\"chance\"");
-  return picture("answers", kWidth, bottom + 52, "Correct answers against the critical number",
-                 description(report), marks);
+  return picture("answers", scale.axis.pixel_high + kMargin, bottom + 52,
+                 "Correct answers against the critical number", description(report), marks);
 }
 
 }  // namespace palpate::analysis

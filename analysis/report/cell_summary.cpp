@@ -61,9 +61,7 @@ std::string no_rejection(const StudyReport& report, const CellResult& cell, cons
                         : fmt::format("Guessing is not rejected ({}), which would take {} ({}).", p, region,
                                       side_in_words(report));
   const Interval& interval = cell.primary->interval;
-  const bool beyond = (report.design.side == "greater" && interval.upper < cell.primary->chance) ||
-                      (report.design.side == "less" && interval.lower > cell.primary->chance);
-  if (beyond && report.complete) return text + beyond_the_plan(report, cell);
+  if (verdict(report, cell) == Verdict::OtherWay) return text + beyond_the_plan(report, cell);
   return text + fmt::format(
                     " This does not show that the difference cannot be {}: {} correct is compatible with the "
                     "answers ({} interval).{}",
@@ -96,6 +94,7 @@ std::string primary_sentence(const StudyReport& report, const CellResult& cell) 
     case Verdict::WrongWayRound:
       return rejection(report, cell, p);
     case Verdict::NotShown:
+    case Verdict::OtherWay:
       return no_rejection(report, cell, p);
     case Verdict::NoClaim:
     case Verdict::NoAnswers:

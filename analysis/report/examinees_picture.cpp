@@ -10,7 +10,7 @@
 namespace palpate::analysis {
 namespace {
 
-constexpr double kWidth = 720, kLeft = 120, kRight = 690, kTop = 44;
+constexpr double kLeast = 120, kPlot = 570, kMargin = 30, kTop = 44;
 constexpr std::size_t kLabelled = 60;  // rows that still have room for a code each
 
 // A shape for each cell, so that the colours are not needed: disc, square, diamond, ring.
@@ -29,13 +29,28 @@ std::string marker(std::size_t cell, double x, double y, double size) {
   }
 }
 
-std::string legend(const StudyReport& report) {
-  std::string marks;
-  double x = kLeft;
-  for (std::size_t c = 0; c < report.cells.size(); ++c) {
-    marks += marker(c, x + 6, 16, 5) + label(x + 18, 21, "start", report.cells[c].name, "class=\"legend\"");
-    x += 40 + 8.0 * static_cast<double>(report.cells[c].name.size());
+// Where a name of the legend stands: as many in a line as fit.
+struct LegendPlace {
+  double x = 0.0, y = 0.0;
+};
+
+std::vector<LegendPlace> legend_places(const StudyReport& report, double left) {
+  std::vector<LegendPlace> places;
+  double x = left, y = 16;
+  for (const CellResult& cell : report.cells) {
+    const double room = room_for({cell.name}, 0) + 20;
+    if (x > left && x + room > left + kPlot) x = left, y += 24;
+    places.push_back({x, y});
+    x += room;
   }
+  return places;
+}
+
+std::string legend(const StudyReport& report, const std::vector<LegendPlace>& places) {
+  std::string marks;
+  for (std::size_t c = 0; c < report.cells.size(); ++c)
+    marks += marker(c, places[c].x + 6, places[c].y, 5) +
+             label(places[c].x + 18, places[c].y + 5, "start", report.cells[c].name, "class=\"legend\"");
   return marks;
 }
 
@@ -70,7 +85,10 @@ std::string histogram(const StudyReport& report) {
   constexpr int kBins = 20;
   constexpr double kPanel = 110;
   Axis x = nice_axis(0, 100, 5, false, "correct answers (%)");
-  x.pixel_low = kLeft, x.pixel_high = kRight;
+  std::vector<std::string> names;
+  for (const CellResult& cell : report.cells) names.push_back(cell.name);
+  const double left_end = room_for(names, kLeast), right_end = left_end + kPlot;
+  x.pixel_low = left_end, x.pixel_high = right_end;
   const double bottom = kTop + kPanel * static_cast<double>(report.cells.size());
   const double chance = x.at(100 * report.design.chance);
   std::string marks =
@@ -89,12 +107,12 @@ std::string histogram(const StudyReport& report) {
       marks += rectangle(left + 1, base - height, right - left - 2, height,
                          fmt::format("fill=\"{}\" class=\"bar\"", colour(c)));
     }
-    marks += line(kLeft, base, kRight, base, "class=\"axis\"") +
-             label(kLeft - 12, base - 6, "end", report.cells[c].name, "class=\"row\"") +
-             label(kRight, base - kPanel + 20, "end", fmt::format("tallest bar: {:.0f} examinees", most),
+    marks += line(left_end, base, right_end, base, "class=\"axis\"") +
+             label(left_end - 12, base - 6, "end", report.cells[c].name, "class=\"row\"") +
+             label(right_end, base - kPanel + 20, "end", fmt::format("tallest bar: {:.0f} examinees", most),
                    "class=\"tick\"");
   }
-  return picture("examinees", kWidth, bottom + 52, "Examinees by their percentage correct",
+  return picture("examinees", right_end + kMargin, bottom + 52, "Examinees by their percentage correct",
                  "The number of examinees in steps of 5 percent, a panel for each cell; a table gives each "
                  "one's counts.",
                  marks);
@@ -108,20 +126,22 @@ std::string examinees_picture(const StudyReport& report) {
   const bool labelled = report.examinees.size() <= kLabelled;
   const double height = labelled ? 20 : 9, size = labelled ? 5 : 3;
   Axis axis = nice_axis(0, 100, 5, false, "correct answers (%)");
-  axis.pixel_low = kLeft;
-  axis.pixel_high = kRight;
-  const double bottom = kTop + height * static_cast<double>(report.examinees.size()) + 6;
+  axis.pixel_low = room_for(report.examinees, kLeast);
+  axis.pixel_high = axis.pixel_low + kPlot;
+  const std::vector<LegendPlace> places = legend_places(report, axis.pixel_low);
+  const double top = kTop + places.back().y - places.front().y;
+  const double bottom = top + height * static_cast<double>(report.examinees.size()) + 6;
   const double chance = axis.at(100 * report.design.chance);
-  std::string marks = legend(report) + horizontal_axis(axis, bottom, kTop - 8) +
-                      line(chance, bottom, chance, kTop - 8, "class=\"chance\"");
+  std::string marks = legend(report, places) + horizontal_axis(axis, bottom, top - 8) +
+                      line(chance, bottom, chance, top - 8, "class=\"chance\"");
   for (std::size_t i = 0; i < report.examinees.size(); ++i) {
-    const double y = kTop + height * (static_cast<double>(i) + 0.5);
+    const double y = top + height * (static_cast<double>(i) + 0.5);
     if (labelled || i % 10 == 0)
-      marks += label(kLeft - 12, y + 4, "end", report.examinees[i], "class=\"tick\"");
+      marks += label(axis.pixel_low - 12, y + 4, "end", report.examinees[i], "class=\"tick\"");
     marks += row(report, i, axis, y, size);
   }
   return picture(
-      "examinees", kWidth, bottom + 52, "Correct answers of each examinee",
+      "examinees", axis.pixel_high + kMargin, bottom + 52, "Correct answers of each examinee",
       fmt::format("A row for each of {} with the percentage correct under {}; the table below gives the "
                   "counts.",
                   counted(static_cast<long>(report.examinees.size()), "examinee", "examinees"),

@@ -35,8 +35,8 @@ std::string laid_out(const TextTable& table) {
   return text;
 }
 
-std::string with_note(const TextTable& table) {
-  return laid_out(table) + (table.note.empty() ? "" : wrapped(table.note));
+std::string with_note(const TextTable& table, std::size_t width = 100) {
+  return laid_out(table) + (table.note.empty() ? "" : wrapped(table.note, "", "", width));
 }
 
 std::string section(const TextTable& table, const std::string& title, const std::string& claim = "") {
@@ -66,11 +66,11 @@ std::string results_as_text(const StudyReport& report) {
   return text + section(examinee_table(report), "Correct answers of each examinee");
 }
 
-std::string head(const StudyReport& report) {
+std::string head(const StudyReport& report, std::size_t width = 100) {
   std::string text = fmt::format("Significance report: {}\n", report.design.protocol_name);
   text += fmt::format("Run mode: {}; protocol {}\n", report.run_mode,
                       report.design.protocol_sha256.substr(0, 16));
-  for (const std::string& banner : report.banners) text += "\n" + wrapped(banner, "!! ", "!! ");
+  for (const std::string& banner : report.banners) text += "\n" + wrapped(banner, "!! ", "!! ", width);
   return text;
 }
 
@@ -84,13 +84,14 @@ std::string tame(std::string text) {
 
 }  // namespace
 
-std::string brief_report(const StudyReport& report) {
-  std::string text = head(report) + "\n";
-  if (!report.withheld) text += with_note(verdict_table(report)) + "\n";
-  text += wrapped(report.summary.front());
+std::string brief_report(const StudyReport& report, std::size_t width) {
+  std::string text = head(report, width) + "\n";
+  if (!report.withheld) text += with_note(verdict_table(report), width) + "\n";
+  text += wrapped(report.summary.front(), "", "", width);
   for (const CellComparison& comparison : report.comparisons)
-    if (comparison.planned != "none") text += "\n" + wrapped(comparison_summary(report, comparison));
-  if (report.withheld) text += "\n" + wrapped(report.summary.back());
+    if (comparison.planned != "none")
+      text += "\n" + wrapped(comparison_summary(report, comparison), "", "", width);
+  if (report.withheld) text += "\n" + wrapped(report.summary.back(), "", "", width);
   return tame(text);
 }
 

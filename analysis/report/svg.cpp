@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "analysis/words/words.hpp"
+
 namespace palpate::analysis {
 namespace {
 
@@ -100,6 +102,13 @@ std::string_view colour(std::size_t index) {
 std::string_view dash(std::size_t index) {
   constexpr std::array<std::string_view, 4> kDashes{"", "7 4", "2 3", "9 3 2 3"};
   return kDashes[index % kDashes.size()];
+}
+
+double room_for(const std::vector<std::string>& names, double least) {
+  constexpr double kLetter = 8.4, kMargin = 20.0;  // of the widest fonts that the page names
+  std::size_t longest = 0;
+  for (const std::string& name : names) longest = std::max(longest, columns(name));
+  return std::max(least, kMargin + kLetter * static_cast<double>(longest));
 }
 
 std::string line(double x1, double y1, double x2, double y2, std::string_view style) {

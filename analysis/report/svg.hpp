@@ -33,6 +33,9 @@ std::string_view colour(std::size_t index);
 /// Dashes that go with them, so that lines differ on grey paper too; "" is a solid line.
 std::string_view dash(std::size_t index);
 
+/// Room for names at the left of a picture, set in 14 pixels: `least`, or what the longest of them takes.
+double room_for(const std::vector<std::string>& names, double least);
+
 // Each returns one element; `style` is the name of a CSS class or further attributes ('class="grid"').
 std::string line(double x1, double y1, double x2, double y2, std::string_view style);
 std::string rectangle(double x, double y, double width, double height, std::string_view style);

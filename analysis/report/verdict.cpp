@@ -9,10 +9,21 @@ bool rejects_guessing(const StudyReport& report, const CellResult& cell) {
   return rejects(cell.primary->critical, cell.correct);
 }
 
+namespace {
+
+/// Whether the answers lie where a one-sided test does not look.
+bool is_beyond(const StudyDesign& design, const PrimaryTest& test) {
+  return (design.side == "greater" && test.interval.upper < test.chance) ||
+         (design.side == "less" && test.interval.lower > test.chance);
+}
+
+}  // namespace
+
 Verdict verdict(const StudyReport& report, const CellResult& cell) {
   if (!cell.primary) return Verdict::NoAnswers;
   if (!report.complete && !report.look) return Verdict::NoClaim;
-  if (!rejects_guessing(report, cell)) return Verdict::NotShown;
+  if (!rejects_guessing(report, cell))
+    return report.complete && is_beyond(report.design, *cell.primary) ? Verdict::OtherWay : Verdict::NotShown;
   return cell.primary->proportion > cell.primary->chance ? Verdict::ToldApart : Verdict::WrongWayRound;
 }
 
@@ -28,6 +39,8 @@ std::string_view in_words(Verdict verdict) {
       return "told apart, the wrong way round";
     case Verdict::NotShown:
       return "not shown";
+    case Verdict::OtherWay:
+      return "not shown, but off chance the other way";
   }
   return "";
 }

@@ -12,7 +12,8 @@ enum class Verdict {
   NoClaim,        // the sample is not complete, and no look is due
   ToldApart,      // guessing is rejected: more are correct than it gives
   WrongWayRound,  // guessing is rejected: fewer are correct
-  NotShown
+  NotShown,
+  OtherWay  // not rejected, for the test is one-sided; but chance lies outside the interval, on the other side
 };
 
 /// Whether a cell's primary test rejects guessing: by the critical number; where the protocol adjusts the

@@ -15,7 +15,8 @@ std::string html_report(const StudyReport& report);
 std::string text_report(const StudyReport& report);
 
 /// A screenful of it: banners, verdicts, who took part, and the planned comparisons.
-std::string brief_report(const StudyReport& report);
+/// @param width  columns of the terminal; tables keep theirs
+std::string brief_report(const StudyReport& report, std::size_t width = 100);
 
 /// Every number of the report. Proportions are fractions, units stand in the names, what is not there is
 /// null.

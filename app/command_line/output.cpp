@@ -1,7 +1,9 @@
 #include "app/command_line/output.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 
+#include <algorithm>
 #include <charconv>
 
 namespace palpate::app {
@@ -27,6 +29,13 @@ std::string json_text(const nlohmann::ordered_json& result, int indent) {
 
 void print_json(const nlohmann::ordered_json& result) {
   fmt::print("{}\n", json_text(result));
+}
+
+std::size_t terminal_width() {
+  constexpr std::size_t kLeast = 40, kMost = 100;
+  winsize size{};
+  if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return kMost;
+  return std::clamp<std::size_t>(size.ws_col, kLeast, kMost);
 }
 
 }  // namespace palpate::app

@@ -28,6 +28,9 @@ inline bool brief(bool full) {
   return !full && ::isatty(STDOUT_FILENO) == 1;
 }
 
+/// Columns of the terminal that standard output is, at most 100; 100 where it does not tell.
+std::size_t terminal_width();
+
 /// Adds `--seed` to a command that draws. CLI11 alone takes -1 and all that is too large for 2^64 - 1.
 CLI::Option* add_seed(CLI::App& command, const std::string& meaning,
                       const std::function<void(std::uint64_t)>& take);

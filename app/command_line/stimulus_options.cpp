@@ -22,7 +22,7 @@ void require_known(const trials::Protocol& protocol, const std::string& option, 
                    const std::vector<std::string>& known) {
   if (name.empty() || std::ranges::find(known, name) != known.end()) return;
   throw std::invalid_argument(fmt::format("{} {}: {} has no such {}; accepted: {}", option, name,
-                                          protocol.file.string(), option.substr(2), fmt::join(known, ", ")));
+                                          protocol.file.string(), option.substr(2), fmt::join(known, "; ")));
 }
 
 }  // namespace

@@ -49,14 +49,14 @@ std::vector<std::string> depth_warnings(const Model& model, double depth, const 
   for (const Probe& probe : model.probes) {
     std::string deeper;
     if (depth > probe.depth * (1 + 1e-9))
-      deeper = fmt::format("than the {:.3g} mm of the scene", 1e3 * probe.depth);
+      deeper = fmt::format("than the {:.6g} mm of the scene", 1e3 * probe.depth);
     const FarSide far = far_side(model, probe);
     if (depth > far.distance && depth > far.distance + given_way(model, probe, far, loads))
       deeper += fmt::format("{}than {} is thick under it ({:.3g} mm)", deeper.empty() ? "" : ", and ",
                             model.bodies[probe.body].name, 1e3 * far.distance);
     if (!deeper.empty())
       warnings.push_back(
-          fmt::format("probes.{} presses {:.3g} mm deep, deeper {}", probe.name, 1e3 * depth, deeper));
+          fmt::format("probes.{} presses {:.6g} mm deep, deeper {}", probe.name, 1e3 * depth, deeper));
   }
   return warnings;
 }

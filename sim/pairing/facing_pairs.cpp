@@ -21,16 +21,18 @@ Vec3 barycentric(const Vec3& place, const Vec3& a, const Vec3& b, const Vec3& c)
 }
 
 /// From the surface to the node: along their distance, and where they touch along the surface's normal.
-void set_gap(const Vec3& distance, const Vec3& outward, double rounding, FacingPair& pair) {
+/// @return false where the node lies behind the surface. Bodies do not overlap at rest, so it is not within the body
+///         but beyond it, as what lies in the hollow of a tube whose outer wall may be touched.
+bool set_gap(const Vec3& distance, const Vec3& outward, double rounding, FacingPair& pair) {
   const double length = distance.norm();
   if (length <= rounding) {
     pair.normal = outward.normalized();
     pair.gap = distance.dot(pair.normal);
-    return;
+    return true;
   }
-  const double sign = distance.dot(outward) < 0.0 ? -1.0 : 1.0;
-  pair.normal = sign / length * distance;
-  pair.gap = sign * length;
+  pair.normal = distance / length;
+  pair.gap = length;
+  return distance.dot(outward) > 0.0;
 }
 
 void add_facing(const Model& model, int touch_pair, int node_body, int polygon_body,
@@ -51,7 +53,7 @@ void add_facing(const Model& model, int touch_pair, int node_body, int polygon_b
                     .node = node,
                     .polygon_body = polygon_body,
                     .corners = surface.triangles[found.polygon]};
-    set_gap(place - found.nearest.point, outward, rounding, pair);
+    if (!set_gap(place - found.nearest.point, outward, rounding, pair)) continue;
     if (corner_normal(nodes.polygons, nodes.rest, node).dot(pair.normal) >= 0.0) continue;
     pair.weights = barycentric(found.nearest.point, polygons.rest.col(pair.corners[0]),
                                polygons.rest.col(pair.corners[1]), polygons.rest.col(pair.corners[2]));

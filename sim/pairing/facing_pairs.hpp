@@ -19,7 +19,7 @@ struct FacingPair {
 };
 
 /// Every node that can collide, of the bodies of each pair whose nodes meet polygons (TouchPair::meets), with the place that it faces. Nodes are left out whose
-/// own surface looks away from that place (the far side of a body), or that face the rim of a touchable patch, beyond
+/// own surface looks away from that place (the far side of a body), that lie behind it (beyond the body's wall), or that face the rim of a touchable patch, beyond
 /// which the surface is not known. Order: touch pairs as in the model; the nodes of the first body, then of the
 /// second, ascending.
 std::vector<FacingPair> facing_pairs(const Model& model);

@@ -106,7 +106,8 @@ void print_text(const ProtocolCheck& check) {
   fmt::print("  power           {:.4f} when {:.0f} % of answers are correct ({})\n", check.power.power,
              100 * check.power.probability,
              check.power.studies > 0 ? fmt::format("{} simulated studies", check.power.studies) : "exact");
-  fmt::print("  duration        about {} minutes an examinee\n", trials::minutes_of(check.protocol));
+  fmt::print("  duration        about {} an examinee\n",
+             analysis::counted(trials::minutes_of(check.protocol), "minute", "minutes"));
   print_text(check.protocol, check.stimuli);
   for (const std::string& warning : check.warnings)
     fmt::print("{}", analysis::wrapped(warning, "warning: ", "         "));

@@ -129,11 +129,14 @@ std::vector<std::string> stimulus_warnings(const trials::Protocol& protocol,
 void print_text(const trials::Protocol& protocol, const std::vector<StimulusCheck>& cells) {
   fmt::print("\nwhat there is to feel, pressed {:g} mm deep and more\n",
              1e3 * protocol.exploration.min_depth);
+  std::size_t width = 15;
+  for (const StimulusCheck& cell : cells) width = std::max(width, analysis::columns(cell.cell) + 2);
   for (const StimulusCheck& cell : cells) {
     std::string forces;
     for (std::size_t i = 0; i < cell.forces.size(); ++i)
       forces += fmt::format("{}{} {:.2f} N", i > 0 ? ", " : "", cell.conditions[i], cell.forces[i]);
-    fmt::print("  {:<15} {} at {:g} mm: {:.1f} % apart", cell.cell, forces, 1e3 * cell.depth,
+    fmt::print("  {}{} {} at {:g} mm: {:.1f} % apart", cell.cell,
+               std::string(width - analysis::columns(cell.cell), ' '), forces, 1e3 * cell.depth,
                100 * cell.difference);
     if (cell.expected_correct)
       fmt::print("; simulated people are right in {:.0f} %, power {:.2f}", 100 * *cell.expected_correct,

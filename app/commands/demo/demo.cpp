@@ -59,7 +59,8 @@ void run_demo(const DemoOptions& options) {
                                                           .written_utc = base::utc_now(),
                                                           .receipt = trials::to_string(result.receipt)});
   base::write_atomically(page, analysis::html_report(report));
-  fmt::print("{}\n", brief(options.full) ? analysis::brief_report(report) : analysis::text_report(report));
+  fmt::print("{}\n", brief(options.full) ? analysis::brief_report(report, terminal_width())
+                                         : analysis::text_report(report));
   fmt::print("study    {}\nreport   {} (open it in a browser)\nreceipt  {}\n", study.string(), page.string(),
              trials::to_string(result.receipt));
 }

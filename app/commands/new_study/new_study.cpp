@@ -36,9 +36,11 @@ void make_study(const NewOptions& options) {
   namespace fs = std::filesystem;
   const fs::path folder = fs::path(options.folder).lexically_normal();
   const std::string name = (folder.has_filename() ? folder : folder.parent_path()).filename();
-  if (!trials::is_name(name))
+  constexpr std::size_t kLongest = 100;  // letters: file systems take 255 with what stands before and behind
+  if (!trials::is_name(name) || name.front() == '-' || name.size() > kLongest)
     throw std::invalid_argument(
-        fmt::format("{}: is no name for a study; accepted: {}", options.folder, trials::kNamesAccepted));
+        fmt::format("{}: is no name for a study; accepted: {}, no hyphen at the front, at most {} of them",
+                    options.folder, trials::kNamesAccepted, kLongest));
   if (fs::exists(fs::symlink_status(folder)))
     throw std::invalid_argument(
         fmt::format("{}: is there already and is not overwritten; accepted: another name", options.folder));

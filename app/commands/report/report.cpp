@@ -44,7 +44,7 @@ void check_folder_of(const std::filesystem::path& page) {
 std::string printed(const analysis::StudyReport& report, const ReportArguments& options) {
   if (options.format == "json") return json_text(analysis::json_report(report)) + "\n";
   if (!brief(options.full)) return analysis::text_report(report);
-  return analysis::brief_report(report) +
+  return analysis::brief_report(report, terminal_width()) +
          (options.out.empty()
               ? std::string("\nAll of it: --full prints it, --out report.html writes the page.\n")
               : fmt::format("\nAll of it: {} (open it in a browser), or --full.\n", options.out));

@@ -6,6 +6,7 @@
 #include "analysis/report/primary_power.hpp"
 #include "analysis/report/summary.hpp"
 #include "analysis/report/tables.hpp"
+#include "analysis/report/write_report.hpp"
 #include "tests/analysis/report/fixture.hpp"
 
 using namespace palpate::analysis;
@@ -69,6 +70,18 @@ TEST(Verdict, SaysWhenTheAnswersAreTheWrongWayRoundOrTooFew) {
   table.design.planned_examinees = 20;
   const StudyReport interim = analyse(table, {.interim = true});
   EXPECT_EQ(verdict(interim, interim.cells[1]), Verdict::NoClaim);
+}
+
+// A one-sided test finds nothing in answers that are all wrong; that is no evidence for guessing, and even a
+// screenful must tell it.
+TEST(Verdict, TellsOfAnswersWhereTheTestDoesNotLook) {
+  const StudyReport report = analyse(with_correct(2, 60));
+  EXPECT_EQ(verdict(report, report.cells[0]), Verdict::OtherWay);
+  EXPECT_FALSE(report.cells[0].evidence);
+  EXPECT_EQ(verdict_table(report).rows[0][1], "not shown, but off chance the other way");
+  EXPECT_THAT(brief_report(report), HasSubstr("off chance the other way"));
+  EXPECT_THAT(cell_summary(report, report.cells[0]), HasSubstr("the wrong way round"));
+  EXPECT_TRUE(evidence_table(report).rows.empty());
 }
 
 // R 4.2: pbinom(31, 60, 0.65); 2 * qbeta(0.95, 32, 29) - 1

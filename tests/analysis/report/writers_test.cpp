@@ -186,6 +186,26 @@ TEST(HtmlReport, OfManyExamineesStaysSmall) {
   EXPECT_THAT(html, HasSubstr("download=\"examinees.csv.gz\""));
 }
 
+// Texts that stand at the left end at their place, those of a legend begin there; letters are 6 pixels or more.
+TEST(HtmlReport, CutsNoNameOff) {
+  StudyTable table = test::study_table(test::like_the_paper());
+  table.design.cells[0].name = "a wall of two megapascals, near";
+  table.design.cells[1].name = "a wall of twenty megapascals, far away";
+  const std::string html = html_report(analyse(table));
+  const std::regex picture("<svg[^>]*viewBox=\"0 0 ([0-9.]+) [^]*?</svg>"),
+      text("<text x=\"([0-9.]+)\"[^>]*text-anchor=\"(start|end)\"[^>]*>([^<]*)<");
+  int seen = 0;
+  for (std::sregex_iterator p(html.begin(), html.end(), picture), none; p != none; ++p) {
+    const std::string drawn = p->str();
+    for (std::sregex_iterator t(drawn.begin(), drawn.end(), text); t != none; ++t) {
+      const double x = std::stod((*t)[1]), width = 6.0 * static_cast<double>((*t)[3].length());
+      EXPECT_TRUE((*t)[2] == "end" ? x >= width : x + width <= std::stod((*p)[1])) << (*t)[3];
+      ++seen;
+    }
+  }
+  EXPECT_GT(seen, 20);
+}
+
 TEST(HtmlReport, IsWellFormed) {
   ASSERT_EQ(std::system("command -v xmllint > /dev/null"), 0)
       << "install libxml2-utils, as packages.txt says";

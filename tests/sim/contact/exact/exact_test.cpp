@@ -12,6 +12,7 @@
 #include "tests/sim/support/box_mesh.hpp"
 #include "tests/sim/support/on_mesh.hpp"
 #include "tests/sim/support/two_boxes.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace palpate::sim {
@@ -226,6 +227,19 @@ TEST(Exact, TakesTheNodesOfOneBodyWhereItIsAskedTo) {
   EXPECT_FALSE(upper.empty() || lower.empty());
   EXPECT_TRUE(std::ranges::all_of(upper, [](const FacingPair& pair) { return pair.node_body == 0; }));
   EXPECT_TRUE(std::ranges::all_of(lower, [](const FacingPair& pair) { return pair.node_body == 1; }));
+}
+
+// A body that lies free in the hollow of a tube is behind the tube's outer wall, which may be touched, and not within
+// it: nothing holds it there, and nothing pushes.
+TEST(Exact, WhatLiesBeyondAWallIsNotPushedThroughIt) {
+  const auto scene =
+      std::filesystem::path(palpate::test::source_folder()) / "data/scenes/rectal-palpation.toml";
+  for (const char* scale : {"0.2", "0.05"}) {
+    const Model model = compile_scene(scene, with({{"bodies.prostate.scale", scale}}));
+    const Press pressed = press(model, 1e-6, 1);
+    EXPECT_EQ(pressed.curve[0].pairs[0].active, 0);
+    EXPECT_LT(pressed.curve[0].probe_forces[0].norm(), 0.01);
+  }
 }
 
 TEST(Exact, APairThatIsOutOfReachPushesNothing) {
