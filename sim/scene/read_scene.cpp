@@ -162,7 +162,7 @@ std::string read_pairing(base::TomlReader& reader, const ContactSpec& contact) {
                               "without it, or model = \"{}\"",
                               kExact, contact.model, kExact));
   if (pairing == "both") return {};
-  const std::string body = pairing.starts_with(kNodesOf) ? pairing.substr(kNodesOf.size()) : "";
+  std::string body = pairing.starts_with(kNodesOf) ? pairing.substr(kNodesOf.size()) : "";
   std::vector<std::string> accepted;
   for (const auto& pair : contact.touch)
     for (const std::string& name : pair)
