@@ -21,8 +21,11 @@ std::vector<std::string> names_of(const std::vector<Named>& all) {
 void require_known(const trials::Protocol& protocol, const std::string& option, const std::string& name,
                    const std::vector<std::string>& known) {
   if (name.empty() || std::ranges::find(known, name) != known.end()) return;
+  const bool commas =
+      std::ranges::any_of(known, [](const std::string& one) { return one.find(',') != std::string::npos; });
   throw std::invalid_argument(fmt::format("{} {}: {} has no such {}; accepted: {}", option, name,
-                                          protocol.file.string(), option.substr(2), fmt::join(known, "; ")));
+                                          protocol.file.string(), option.substr(2),
+                                          fmt::join(known, commas ? "; " : ", ")));
 }
 
 }  // namespace
