@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <map>
 #include <stdexcept>
-#include <tuple>
 
 #include "analysis/numerics/result.hpp"
 #include "analysis/report/evidence.hpp"
@@ -11,6 +10,7 @@
 #include "analysis/report/sample.hpp"
 #include "analysis/report/select.hpp"
 #include "analysis/report/sentences.hpp"
+#include "analysis/report/stimuli.hpp"
 #include "analysis/report/verdict.hpp"
 #include "analysis/report/withhold.hpp"
 
@@ -146,62 +146,6 @@ void compare_cells(StudyReport& report) {
   for (const Contrast& contrast : contrasts(report.design))
     report.comparisons.push_back(compare(contrast, report.comparisons.size() < planned, report));
   adjust_comparisons(report);
-}
-
-// Mean of what was recorded; empty when nothing was.
-struct Mean {
-  double sum = 0.0;
-  long n = 0;
-  void add(const std::optional<double>& value) {
-    if (value) sum += *value, ++n;
-  }
-  std::optional<double> value() const {
-    return n == 0 ? std::nullopt : std::optional(sum / static_cast<double>(n));
-  }
-};
-
-template <typename Value>
-void keep_largest(std::optional<Value>& largest, const std::optional<Value>& value) {
-  if (value && (!largest || *value > *largest)) largest = value;
-}
-
-std::vector<StimulusSummary> summarise_stimuli(const StudyDesign& design, const Selection& selection) {
-  struct Sums {
-    StimulusSummary summary{};
-    Mean presses{}, exploration{}, force{}, depth{};
-  };
-  const auto place = [&](const std::string& condition) {  // in the protocol's order
-    return std::ranges::find(design.conditions, condition) - design.conditions.begin();
-  };
-  std::map<std::tuple<std::size_t, std::ptrdiff_t, std::string>, Sums> stimuli;
-  for (const TrialRow* trial : selection.trials) {
-    for (const std::string& condition : trial->shown_in_vain)
-      ++stimuli[{trial->cell, place(condition), condition}].summary.shown_again;
-    for (const IntervalRow& interval : trial->intervals) {
-      Sums& sums = stimuli[{trial->cell, place(interval.condition), interval.condition}];
-      ++sums.summary.intervals;
-      sums.presses.add(interval.n_presses);
-      sums.exploration.add(interval.exploration_time_s);
-      sums.force.add(interval.peak_force_n);
-      sums.depth.add(interval.max_depth_m);
-      keep_largest(sums.summary.worst_clamped_fraction, interval.clamped_fraction);
-      keep_largest(sums.summary.worst_loop_p999_ms, interval.loop_p999_ms);
-      if (interval.missed_cycles) {
-        sums.summary.missed_cycles = sums.summary.missed_cycles.value_or(0) + *interval.missed_cycles;
-      }
-    }
-  }
-  std::vector<StimulusSummary> summaries;
-  for (auto& [key, sums] : stimuli) {
-    sums.summary.cell = design.cells[std::get<0>(key)].name;
-    sums.summary.condition = std::get<2>(key);
-    sums.summary.mean_presses = sums.presses.value().value_or(0.0);
-    sums.summary.mean_exploration_s = sums.exploration.value();
-    sums.summary.mean_peak_force_n = sums.force.value();
-    sums.summary.mean_max_depth_m = sums.depth.value();
-    summaries.push_back(sums.summary);
-  }
-  return summaries;
 }
 
 void take_sessions(const StudyTable& table, const Selection& selection, StudyReport& report) {

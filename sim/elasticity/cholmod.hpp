@@ -4,24 +4,19 @@
 
 namespace palpate::sim {
 
-// CHOLMOD and the BLAS below it take longer to load than most commands run, and few condense a body. So its
-// functions are looked up when the first body is condensed, under their own names.
+/// What is called of CHOLMOD, its long interface. It and the BLAS below it take longer to load than most commands
+/// run, and few condense a body: so it is loaded when the first body is.
+struct Cholmod {
+  decltype(&::cholmod_l_start) start = nullptr;
+  decltype(&::cholmod_l_finish) finish = nullptr;
+  decltype(&::cholmod_l_analyze) analyze = nullptr;
+  decltype(&::cholmod_l_factorize) factorize = nullptr;
+  decltype(&::cholmod_l_solve) solve = nullptr;
+  decltype(&::cholmod_l_free_factor) free_factor = nullptr;
+  decltype(&::cholmod_l_free_dense) free_dense = nullptr;
+};
 
-#define PALPATE_CHOLMOD_FUNCTIONS        \
-  PALPATE_CHOLMOD(cholmod_l_analyze)     \
-  PALPATE_CHOLMOD(cholmod_l_factorize)   \
-  PALPATE_CHOLMOD(cholmod_l_finish)      \
-  PALPATE_CHOLMOD(cholmod_l_free_dense)  \
-  PALPATE_CHOLMOD(cholmod_l_free_factor) \
-  PALPATE_CHOLMOD(cholmod_l_solve)       \
-  PALPATE_CHOLMOD(cholmod_l_start)
-
-// NOLINTNEXTLINE(bugprone-macro-parentheses): a name that is declared takes none
-#define PALPATE_CHOLMOD(name) extern decltype(&::name) name;
-PALPATE_CHOLMOD_FUNCTIONS
-#undef PALPATE_CHOLMOD
-
-/// Loads the library, once; before any of them is called. Throws std::runtime_error where it is not installed.
-void load_cholmod();
+/// Loaded at the first call, and kept. Throws std::runtime_error that names the package where it cannot be had.
+const Cholmod& cholmod();
 
 }  // namespace palpate::sim

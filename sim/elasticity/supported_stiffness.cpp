@@ -20,13 +20,12 @@ using Matrix = Eigen::SparseMatrix<double, Eigen::ColMajor, Index>;
 
 struct Common {
   Common() {
-    load_cholmod();
-    cholmod_l_start(&settings);
+    cholmod().start(&settings);
     settings.print = 0;
     settings.error_handler = nullptr;
     settings.supernodal = CHOLMOD_SUPERNODAL;
   }
-  ~Common() { cholmod_l_finish(&settings); }
+  ~Common() { cholmod().finish(&settings); }
   Common(const Common&) = delete;
   Common& operator=(const Common&) = delete;
 
@@ -91,12 +90,12 @@ std::vector<int> fill_reducing_order(const NodeGraph& graph, const std::vector<c
   // METIS draws from the C library's one random sequence: alone, so that the same mesh gives the same order.
   static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);
-  cholmod_factor* symbolic = cholmod_l_analyze(&sparse, &common.settings);
+  cholmod_factor* symbolic = cholmod().analyze(&sparse, &common.settings);
   common.require_success();
   const auto* permutation = static_cast<const Index*>(symbolic->Perm);
   std::vector<int> order(nodes.size());
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = nodes[permutation[k]];
-  cholmod_l_free_factor(&symbolic, &common.settings);
+  cholmod().free_factor(&symbolic, &common.settings);
   return order;
 }
 
@@ -133,16 +132,16 @@ Matrix reordered_lower(const Eigen::SparseMatrix<double>& K, const std::vector<i
 }  // namespace
 
 struct SupportedStiffness::Factor {
-  ~Factor() { cholmod_l_free_factor(&L, &common.settings); }
+  ~Factor() { cholmod().free_factor(&L, &common.settings); }
 
   void factorise() {
     common.settings.nmethods = 1;
     common.settings.method[0].ordering = CHOLMOD_NATURAL;
     common.settings.postorder = 0;  // a postorder would move the `last` nodes away from the end
     cholmod_sparse sparse = view(A, CHOLMOD_REAL);
-    L = cholmod_l_analyze(&sparse, &common.settings);
+    L = cholmod().analyze(&sparse, &common.settings);
     common.require_success();
-    cholmod_l_factorize(&sparse, L, &common.settings);
+    cholmod().factorize(&sparse, L, &common.settings);
     common.require_success();
     if (common.settings.status == CHOLMOD_NOT_POSDEF) refuse_singular();
     assert(L->is_super && L->is_ll);
@@ -160,11 +159,11 @@ struct SupportedStiffness::Factor {
     right.dtype = CHOLMOD_DOUBLE;
     // A setting of its own for each call: CHOLMOD keeps workspace there, and threads may share the factor.
     Common mine;
-    cholmod_dense* x = cholmod_l_solve(system, L, &right, &mine.settings);
+    cholmod_dense* x = cholmod().solve(system, L, &right, &mine.settings);
     mine.require_success();
     Eigen::MatrixXd result =
         Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(x->x), b.rows(), b.cols());
-    cholmod_l_free_dense(&x, &mine.settings);
+    cholmod().free_dense(&x, &mine.settings);
     return result;
   }
 

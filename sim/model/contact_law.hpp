@@ -35,6 +35,12 @@ struct LawScratch {
   std::vector<PairSummary> summaries{};  // one a pair of bodies, in the model's order
 };
 
+/// `prepare` of a law that needs its Scratch wherever bodies may touch.
+template <class Scratch>
+std::unique_ptr<LawScratch> prepare_where_bodies_touch(const Model& model) {
+  return model.pairs.empty() ? nullptr : std::make_unique<Scratch>(model);
+}
+
 inline std::size_t no_memory(const Model&) {
   return 0;
 }

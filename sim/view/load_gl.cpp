@@ -1,8 +1,4 @@
-#include <dlfcn.h>
-#include <fmt/format.h>
-
-#include <stdexcept>
-
+#include "base/machine/shared_library.hpp"
 #include "sim/view/gl.hpp"
 
 namespace palpate::sim {
@@ -14,27 +10,9 @@ PALPATE_GL_FUNCTIONS
 
 namespace {
 
-constexpr const char* kLibrary = "libOSMesa.so.8";
-
-void* open_library() {
-  void* library = ::dlopen(kLibrary, RTLD_NOW | RTLD_LOCAL);
-  if (library == nullptr)
-    throw std::runtime_error(
-        fmt::format("nothing can be drawn: {} cannot be loaded ({}); it is in the package libosmesa6",
-                    kLibrary, ::dlerror()));  // NOLINT(concurrency-mt-unsafe): glibc keeps one a thread
-  return library;
-}
-
-template <class Function>
-void find(void* library, const char* name, Function& function) {
-  function = reinterpret_cast<Function>(::dlsym(library, name));
-  if (function == nullptr)
-    throw std::runtime_error(fmt::format("nothing can be drawn: {} has no {}", kLibrary, name));
-}
-
 bool load_all() {
-  void* library = open_library();
-#define PALPATE_GL(name) find(library, #name, name);
+  const base::SharedLibrary library("libOSMesa.so.8", "libosmesa6", "nothing can be drawn");
+#define PALPATE_GL(name) library.find(#name, name);
   PALPATE_GL_FUNCTIONS
 #undef PALPATE_GL
   return true;

@@ -33,7 +33,7 @@ class Examples(unittest.TestCase):
 
     def test_what_is_marked_is_left_out(self):
         document = ("<!-- not run: a person -->\n```sh\n./palpate a\n```\n```sh\n./palpate b  # not run: slow\n./palpate c\n```\n"
-                    "<!-- not run: a placeholder -->`./palpate d`")
+                    "<!-- not run: D stands for a file -->`./palpate d`")
         self.assertEqual(["./palpate c"], self.commands(document))
 
     def test_a_marked_block_hides_no_other(self):

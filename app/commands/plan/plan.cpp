@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/command_line/output.hpp"
+#include "app/study/freeze_plan.hpp"
 #include "app/study/power_simulation.hpp"
 #include "app/study/simulation.hpp"
 #include "app/study/study_plan.hpp"

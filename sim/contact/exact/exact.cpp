@@ -16,7 +16,7 @@ void take_probes(const Model& model, const ProbeRows& probes, ExactScratch& scra
 }
 
 /// The push of every contact on both bodies.
-void add_contacts(ExactScratch& scratch, Loads& loads) {
+void add_contacts(const Model& model, ExactScratch& scratch, Loads& loads) {
   for (const int row : scratch.solve.active().subspan(scratch.solve.holding())) {
     const FacingPair& pair = scratch.pairs[static_cast<std::size_t>(row - scratch.system.bilateral)];
     const Vec3 push = scratch.solve.forces()[row] * pair.normal;
@@ -26,7 +26,7 @@ void add_contacts(ExactScratch& scratch, Loads& loads) {
           pair.weights[static_cast<Eigen::Index>(k)] * push;
     PairSummary& summary = scratch.summaries[pair.touch_pair];
     summary.active += scratch.solve.forces()[row] > 0.0 ? 1 : 0;
-    const bool first = pair.node_body == scratch.first_body[pair.touch_pair];
+    const bool first = pair.node_body == model.pairs[pair.touch_pair].bodies[0];
     summary.force_on[first ? 0 : 1] += push;
     summary.force_on[first ? 1 : 0] -= push;
   }
@@ -55,17 +55,12 @@ void add_to_probes(const Model& model, ExactScratch& scratch, Response& response
   }
 }
 
-std::unique_ptr<LawScratch> prepare_exact(const Model& model) {
-  if (model.pairs.empty()) return nullptr;
-  return std::make_unique<ExactScratch>(model);
-}
-
 SolveReport solve_exact(const Model& model, const FreeState& free, std::span<const double>,
                         LawScratch& scratch, Response& response) {
   auto& own = static_cast<ExactScratch&>(scratch);
   take_probes(model, free.probes, own);
   const ComplementarityReport found = own.solve.solve(own.holds, own.values, own.gaps);
-  add_contacts(own, response.loads);
+  add_contacts(model, own, response.loads);
   add_to_probes(model, own, response);
   return {.stop = found.converged ? Stop::Converged : Stop::CapReached,
           .iterations = found.iterations,
@@ -78,7 +73,6 @@ ExactScratch::ExactScratch(const Model& model)
     : pairs(facing_pairs(model)), system(contact_system(model, pairs)), solve(system) {
   summaries.resize(model.pairs.size());
   for (const FacingPair& pair : pairs) gaps.push_back(pair.gap);
-  for (const TouchPair& pair : model.pairs) first_body.push_back(pair.bodies[0]);
   const auto rows = static_cast<std::size_t>(system.bilateral);
   holds.resize(rows);
   values.resize(rows);
@@ -88,7 +82,7 @@ ExactScratch::ExactScratch(const Model& model)
 constinit const ContactLaw kExact{
     .name = "exact",
     .meaning = "contact only pushes, and only where bodies touch; both carry the same force",
-    .prepare = prepare_exact,
+    .prepare = prepare_where_bodies_touch<ExactScratch>,
     .solve = solve_exact};
 
 }  // namespace palpate::sim

@@ -18,8 +18,7 @@ struct ExactScratch : LawScratch {
   void reset() override { solve.reset(); }
 
   std::vector<FacingPair> pairs;
-  std::vector<double> gaps;     // of each pair at rest [m]
-  std::vector<int> first_body;  // of each pair of bodies
+  std::vector<double> gaps;  // of each pair at rest [m]
   ContactSystem system;
   ComplementaritySolve solve;
   std::vector<char> holds;     // of each probe row

@@ -120,11 +120,6 @@ void ask_actual(const Model& model, const CollidingPair& pair, const PairShare& 
               scratch.bodies[pair.polygon_body].claims);
 }
 
-std::unique_ptr<LawScratch> prepare_kuroda(const Model& model) {
-  if (model.pairs.empty()) return nullptr;
-  return std::make_unique<KurodaScratch>(model);
-}
-
 SolveReport solve_kuroda(const Model& model, const FreeState& free, std::span<const double>,
                          LawScratch& scratch, Response& response) {
   auto& own = static_cast<KurodaScratch&>(scratch);
@@ -159,7 +154,7 @@ KurodaScratch::KurodaScratch(const Model& model) : PrescribedScratch(model) {
 constinit const ContactLaw kKuroda{
     .name = "kuroda",
     .meaning = "they share their displacement by their stiffness (Kuroda et al. 2003)",
-    .prepare = prepare_kuroda,
+    .prepare = prepare_where_bodies_touch<KurodaScratch>,
     .solve = solve_kuroda};
 
 }  // namespace palpate::sim

@@ -42,11 +42,6 @@ void ask_plane(const Model& model, int touch_pair, PrescribedScratch& scratch) {
   }
 }
 
-std::unique_ptr<LawScratch> prepare_sibille(const Model& model) {
-  if (model.pairs.empty()) return nullptr;
-  return std::make_unique<PrescribedScratch>(model);
-}
-
 SolveReport solve_sibille(const Model& model, const FreeState& free, std::span<const double>,
                           LawScratch& scratch, Response& response) {
   auto& own = static_cast<PrescribedScratch&>(scratch);
@@ -60,7 +55,7 @@ SolveReport solve_sibille(const Model& model, const FreeState& free, std::span<c
 constinit const ContactLaw kSibille{
     .name = "sibille",
     .meaning = "they meet halfway, whatever their stiffness (Sibille et al. 2002)",
-    .prepare = prepare_sibille,
+    .prepare = prepare_where_bodies_touch<PrescribedScratch>,
     .solve = solve_sibille};
 
 }  // namespace palpate::sim

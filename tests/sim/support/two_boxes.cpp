@@ -8,6 +8,7 @@
 #include "sim/compile/compile.hpp"
 #include "sim/compliance/cache.hpp"
 #include "sim/mesh/write_msh.hpp"
+#include "tests/sim/support/body_table.hpp"
 #include "tests/sim/support/box_mesh.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -28,26 +29,7 @@ TetMesh with_sides(TetMesh mesh) {
   return mesh;
 }
 
-constexpr const char* kScene = R"(name = "two boxes"
-[bodies.upper]
-mesh = "upper.msh"
-length_unit = "m"
-young_modulus = "1 MPa"
-poisson_ratio = 0.40
-fixed = "sides"
-touchable = "z_min"
-offset = ["{shift} m", "{shift} m", "{top} m"]
-[bodies.lower]
-mesh = "lower.msh"
-length_unit = "m"
-young_modulus = "1 MPa"
-poisson_ratio = 0.40
-fixed = "z_min"
-touchable = "z_max"
-[contact]
-touch = [["upper", "lower"]]
-model = "kuroda"
-[probes.finger]
+constexpr const char* kProbe = R"([probes.finger]
 body = "upper"
 {probe}
 at = ["{middle} m", "{middle} m", "{upper_top} m"]
@@ -72,8 +54,11 @@ std::filesystem::path write_two_boxes(const TwoBoxes& boxes) {
                                                       Vec3(side, side, thickness))));
   write_msh(folder / "lower.msh", box_mesh(boxes.divisions, boxes.divisions, 4, Vec3(side, side, height)));
   std::ofstream(folder / "scene.toml")
-      << fmt::format(kScene, fmt::arg("shift", boxes.shift), fmt::arg("top", height + boxes.gap),
-                     fmt::arg("probe", boxes.probe), fmt::arg("middle", side / 2 + boxes.shift),
+      << two_body_tables(
+             body_table("upper", "sides", "z_min") +
+                 fmt::format("offset = [\"{0} m\", \"{0} m\", \"{1} m\"]\n", boxes.shift, height + boxes.gap),
+             body_table("lower", "z_min", "z_max"), "kuroda")
+      << fmt::format(kProbe, fmt::arg("probe", boxes.probe), fmt::arg("middle", side / 2 + boxes.shift),
                      fmt::arg("upper_top", height + boxes.gap + thickness));
   if (boxes.second_probe) std::ofstream(folder / "scene.toml", std::ios::app) << kThumb;
   return folder / "scene.toml";

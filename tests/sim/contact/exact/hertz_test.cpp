@@ -11,6 +11,7 @@
 #include "sim/contact/exact/exact.hpp"
 #include "sim/mesh/read_mesh.hpp"
 #include "sim/mesh/write_msh.hpp"
+#include "tests/sim/support/body_table.hpp"
 #include "tests/sim/support/two_boxes.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -64,25 +65,7 @@ TetMesh body(TetMesh block, bool upper) {
   return block;
 }
 
-constexpr const char* kScene = R"(name = "Hertz"
-[bodies.upper]
-mesh = "upper.msh"
-length_unit = "m"
-young_modulus = "1 MPa"
-poisson_ratio = 0.4
-fixed = "far"
-touchable = "near"
-[bodies.lower]
-mesh = "lower.msh"
-length_unit = "m"
-young_modulus = "1 MPa"
-poisson_ratio = 0.4
-fixed = "far"
-touchable = "near"
-[contact]
-touch = [["upper", "lower"]]
-model = "exact"
-[probes.unused]
+constexpr const char* kProbe = R"([probes.unused]
 body = "lower"
 kind = "point"
 at = ["160 mm", "0 mm", "-40 mm"]
@@ -96,7 +79,10 @@ double force_of_approach(double h) {
   const TetMesh block = graded_block(folder.path(), h);
   write_msh(folder.path() / "upper.msh", body(block, true));
   write_msh(folder.path() / "lower.msh", body(block, false));
-  std::ofstream(folder.path() / "scene.toml") << kScene;
+  std::ofstream(folder.path() / "scene.toml")
+      << test::two_body_tables(test::body_table("upper", "far", "near"),
+                               test::body_table("lower", "far", "near"), "exact")
+      << kProbe;
   const Model model = test::compile_scene(folder.path() / "scene.toml");
   ExactScratch scratch(model);
   for (std::size_t i = 0; i < scratch.gaps.size(); ++i)
