@@ -114,6 +114,8 @@ double difference(const Problem& problem, const VectorXd& a, const VectorXd& b) 
   return (a - b).cwiseProduct(unit).norm() / b.cwiseProduct(unit).norm();
 }
 
+// Compliances span six decades, so the dense solution itself has some 1e-9 of error, and Lemke's tableau, which is
+// never factorised anew, more.
 TEST(Complementarity, IsTheOneSetOfContactsThatFits) {
   std::mt19937_64 random(1);
   for (int trial = 0; trial < 300; ++trial) {

@@ -128,7 +128,8 @@ TEST(Exact, ForceIsTheSlopeOfTheStoredEnergy) {
   }
 }
 
-// A body a million times stiffer than the other does not give way: ten times as stiff again is the same.
+// A body a million times stiffer than the other does not give way: ten times as stiff again is the same, but for the
+// millionth that it gives way by, times what a point of contact is softer than a body.
 TEST(Exact, AMuchStifferBodyBehavesAsRigid) {
   const auto force = [](const std::string& lower) {
     const Model model = compile_scene(write_two_boxes({.probe = kPad}), with_moduli("1 MPa", lower));
@@ -140,7 +141,7 @@ TEST(Exact, AMuchStifferBodyBehavesAsRigid) {
 }
 
 // The force rises without jumps: a step of a micrometre changes it by no more than the stiffness with every contact
-// closed.
+// closed (the millionth beside it is rounding).
 TEST(Exact, ForceIsContinuousThroughEveryContact) {
   const Model model = compile_scene(write_two_boxes({.shift = 1.7e-3, .probe = kPad}), kExactModel);
   Simulation simulation(model);
