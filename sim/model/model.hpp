@@ -66,6 +66,8 @@ struct Model {
   std::vector<Body> bodies{};       // those present
   std::vector<TouchPair> pairs{};   // those of present bodies
   std::vector<Probe> probes{};
+  double contact_tolerance =
+      0.0;  // part of each probe's force that a law may be wrong by, where it knows a bound
 };
 
 /// The same bodies and probes, and no body touches another.

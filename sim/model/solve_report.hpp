@@ -6,16 +6,18 @@
 
 namespace palpate::sim {
 
-/// How a cycle ended. CapReached: the law stopped at its cap on iterations, with the residual that it reports.
+/// How a cycle ended. WithinTolerance: the law stopped early, its bound of the error within contact.tolerance.
+/// CapReached: the law stopped at its cap on iterations, with the residual that it reports.
 /// NotFinite: a displacement of a probe or a force is no number.
-enum class Stop { Converged, CapReached, SingularMatrix, NotFinite };
+enum class Stop { Converged, WithinTolerance, CapReached, SingularMatrix, NotFinite };
 
 /// Whether the cycle has a result.
 constexpr bool solved(Stop stop) {
-  return stop == Stop::Converged || stop == Stop::CapReached;
+  return stop == Stop::Converged || stop == Stop::WithinTolerance || stop == Stop::CapReached;
 }
 
-inline constexpr base::EnumWords<Stop, 4> kStopWords{{{Stop::Converged, "converged"},
+inline constexpr base::EnumWords<Stop, 5> kStopWords{{{Stop::Converged, "converged"},
+                                                      {Stop::WithinTolerance, "within tolerance"},
                                                       {Stop::CapReached, "iteration cap reached"},
                                                       {Stop::SingularMatrix, "singular matrix"},
                                                       {Stop::NotFinite, "not finite"}}};
@@ -29,6 +31,9 @@ struct SolveReport {
   int iterations = 0;
   double residual = 0.0;  // largest error of what contact prescribed, relative to the largest such
                           // displacement; 0 without [-]
+  double force_error_bound =
+      0.0;  // the largest that a probe's force can differ from the exact solution's of the same
+            // scene [N]; 0 of a law that approximates nothing
 };
 
 }  // namespace palpate::sim

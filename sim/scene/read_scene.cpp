@@ -152,15 +152,21 @@ BodySpec read_body(base::TomlReader reader, const std::string& name, const std::
   return body;
 }
 
+constexpr std::string_view kExact = "exact";
+
+/// A key that means something to one contact model only.
+void refuse_unless_exact(base::TomlReader& reader, std::string_view key, const ContactSpec& contact) {
+  if (contact.model != kExact)
+    reader.refuse(key, fmt::format("is for the contact model {}, and model is \"{}\"; accepted: the scene "
+                                   "without it, or model = \"{}\"",
+                                   kExact, contact.model, kExact));
+}
+
 /// The body whose nodes alone meet polygons; nothing for those of both.
 std::string read_pairing(base::TomlReader& reader, const ContactSpec& contact) {
-  constexpr std::string_view kNodesOf = "nodes of ", kExact = "exact";
+  constexpr std::string_view kNodesOf = "nodes of ";
   const std::string pairing = reader.text("pairing");
-  if (contact.model != kExact)
-    reader.refuse("pairing",
-                  fmt::format("is for the contact model {}, and model is \"{}\"; accepted: the scene "
-                              "without it, or model = \"{}\"",
-                              kExact, contact.model, kExact));
+  refuse_unless_exact(reader, "pairing", contact);
   if (pairing == "both") return {};
   std::string body = pairing.starts_with(kNodesOf) ? pairing.substr(kNodesOf.size()) : "";
   std::vector<std::string> accepted;
@@ -182,6 +188,10 @@ ContactSpec read_contact(base::TomlReader reader) {
   }
   contact.model = reader.word("model");
   if (reader.has("pairing")) contact.nodes_of = read_pairing(reader, contact);
+  if (reader.has("tolerance")) {
+    refuse_unless_exact(reader, "tolerance", contact);
+    contact.tolerance = reader.quantity("tolerance");
+  }
   contact.effects = read_effects(reader, "contact");
   reader.refuse_unknown();
   return contact;

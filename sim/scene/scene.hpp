@@ -54,6 +54,7 @@ struct ContactSpec {
   std::vector<std::array<std::string, 2>> touch{};  // which bodies may touch
   std::string model{kNoContact};                    // a name that contact_model_words() lists
   std::string nodes_of{};  // the body whose nodes alone meet the other's polygons; empty: those of both
+  double tolerance = 0.0;  // part of the force that the law may be wrong by; 0: none
   EffectValues effects{};
 
   bool operator==(const ContactSpec&) const = default;

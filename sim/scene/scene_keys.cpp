@@ -137,6 +137,14 @@ constexpr std::array kContactKeys{
         .meaning = "With the contact model `exact`: whose nodes are kept out of the other body: \"both\", or "
                    "\"nodes of BODY\" in every pair of that body.",
         .along = "model = \"exact\""},
+    Key{.name = "tolerance",
+        .takes = base::takes_quantity(Dimension::Fraction, {.least = 0.0, .most = 1.0, .open = true}),
+        .example = "\"1 %\"",
+        .absent = "solved to the last digit",
+        .meaning =
+            "With the contact model `exact`: the part of a probe's force by which it may be wrong. A cycle may "
+            "then end early, as soon as the bound of its error is within that.",
+        .along = "model = \"exact\""},
 };
 
 constexpr std::array kProbeKeys{

@@ -53,7 +53,8 @@ ordered_json step_json(const sim::Model& model, const sim::PressStep& step) {
           {"solve",
            {{"stop", sim::to_string(step.solve.stop)},
             {"iterations", step.solve.iterations},
-            {"residual", step.solve.residual}}}};
+            {"residual", step.solve.residual},
+            {"force_error_bound", step.solve.force_error_bound}}}};
 }
 
 }  // namespace

@@ -7,15 +7,14 @@
 namespace palpate::sim {
 namespace {
 
-constexpr double kDelta = 1e-12;  // of the diagonal of K, added on the active set
-constexpr int kPatience = 3;      // block exchanges that may pass without fewer wrong signs [JudicePires1994]
+constexpr int kPatience = 3;  // block exchanges that may pass without fewer wrong signs [JudicePires1994]
 constexpr int kMostRefinements = 3;  // of a solve with an updated factor
 constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
 
 }  // namespace
 
 ComplementaritySolve::ComplementaritySolve(const ContactSystem& system)
-    : system_(&system), factor_(system.compliance, kDelta) {
+    : system_(&system), factor_(system.compliance, kDelta), bound_(system) {
   const auto rows = static_cast<std::size_t>(system.compliance.rows());
   is_active_.resize(rows);
   wrong_.reserve(rows);
@@ -110,8 +109,28 @@ double ComplementaritySolve::natural_residual() const {
   return largest > 0.0 ? error / largest : 0.0;
 }
 
+/// Takes away forces that would pull, lets the probes bring their values again, and sees what gaps that leaves.
+void ComplementaritySolve::settle(std::span<const double> values, std::span<const double> gaps) {
+  const std::span<const int> rows = factor_.rows();
+  for (Eigen::Index row = system_->bilateral; row < forces_.size(); ++row)
+    forces_[row] = std::max(0.0, forces_[row]);
+  for (Eigen::Index i = 0; i < system_->bilateral; ++i) slack_[i] = -values[static_cast<std::size_t>(i)];
+  for (std::size_t i = 0; i < gaps.size(); ++i)
+    slack_[system_->bilateral + static_cast<Eigen::Index>(i)] = gaps[i];
+  for (const int row : rows.subspan(holding_))
+    slack_.noalias() += forces_[row] * system_->compliance.col(row);
+  correction_.clear();
+  for (const int row : rows.first(holding_)) correction_.push_back(-slack_[row]);
+  factor_.solve_leading(correction_, holding_);
+  for (std::size_t i = 0; i < holding_; ++i) {
+    forces_[rows[i]] = correction_[i];
+    slack_.noalias() += correction_[i] * system_->compliance.col(rows[i]);
+  }
+}
+
 ComplementarityReport ComplementaritySolve::solve(std::span<const char> holds, std::span<const double> values,
-                                                  std::span<const double> gaps) {
+                                                  std::span<const double> gaps, double tolerance) {
+  using End = ComplementarityReport::End;
   hold(holds);
   ComplementarityReport report;
   std::size_t fewest = std::numeric_limits<std::size_t>::max();
@@ -121,8 +140,15 @@ ComplementarityReport ComplementaritySolve::solve(std::span<const char> holds, s
     solve_active(values, gaps);
     const std::size_t wrong = count_wrong();
     if (wrong == 0) {
-      report.converged = true;
+      report.end = End::Converged;
       break;
+    }
+    if (tolerance > 0.0) {
+      settle(values, gaps);
+      if (bound_.find(factor_, holding_, forces_, slack_).within(tolerance, forces_)) {
+        report.end = End::WithinTolerance;
+        break;
+      }
     }
     if (wrong < fewest) {
       fewest = wrong;
@@ -132,9 +158,9 @@ ComplementarityReport ComplementaritySolve::solve(std::span<const char> holds, s
     }
     exchange(patience >= 0);
   }
-  for (Eigen::Index row = system_->bilateral; row < forces_.size(); ++row)
-    forces_[row] = std::max(0.0, forces_[row]);
+  settle(values, gaps);
   report.residual = natural_residual();
+  report.force_error_bound = bound_.find(factor_, holding_, forces_, slack_).largest();
   return report;
 }
 

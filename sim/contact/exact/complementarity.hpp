@@ -4,22 +4,24 @@
 #include <span>
 #include <vector>
 
+#include "sim/contact/exact/force_bound.hpp"
+#include "sim/contact/exact/system.hpp"
 #include "sim/contact/exact/updated_factor.hpp"
 
 namespace palpate::sim {
 
-/// Contacts and probes of a scene as one system, constant while it runs: x are forces, K x the displacements along
-/// the rows that they bring.
-struct ContactSystem {
-  Eigen::MatrixXd compliance{};  // K [m/N], symmetric, positive semidefinite; bilateral rows first
-  Eigen::Index bilateral = 0;    // how many of them: the axes of probes
-};
-
 /// How a solve ended.
 struct ComplementarityReport {
-  bool converged = false;  // false: the cap was reached, and forces that would pull are 0
-  int iterations = 0;      // solves with a set of active contacts
-  double residual = 0.0;   // scaled natural residual, see ComplementaritySolve
+  enum class End {
+    Converged,
+    WithinTolerance,
+    CapReached
+  } end = End::CapReached;  // but at the first, forces
+                            // that would pull are 0
+  int iterations = 0;       // solves with a set of active contacts
+  double residual = 0.0;    // scaled natural residual, see ComplementaritySolve
+  double force_error_bound =
+      0.0;  // of the force of each probe against the exact solution [N], see ForceBound
 };
 
 /// The frictionless contact of a cycle, a linear complementarity problem: find forces x with
@@ -39,8 +41,9 @@ class ComplementaritySolve {
   /// @param holds   of each bilateral row, whether it prescribes its value
   /// @param values  of each bilateral row [m]
   /// @param gaps    of each contact before any force [m]
+  /// @param tolerance  of each probe's force: it may stop as soon as the bound of the error is within that part of it
   ComplementarityReport solve(std::span<const char> holds, std::span<const double> values,
-                              std::span<const double> gaps);
+                              std::span<const double> gaps, double tolerance = 0.0);
 
   const Eigen::VectorXd& forces() const { return forces_; }  // x, of every row [N]
   std::span<const int> active() const {
@@ -60,11 +63,11 @@ class ComplementaritySolve {
   void solve_active(std::span<const double> values, std::span<const double> gaps);
   std::size_t count_wrong();
   void exchange(bool all);
+  void settle(std::span<const double> values, std::span<const double> gaps);
   double natural_residual() const;
-  Eigen::Index contact_of(int row) const { return row - system_->bilateral; }
-
   const ContactSystem* system_;
   UpdatedFactor factor_;
+  ForceBound bound_;
   std::size_t holding_ = 0;
   std::vector<char> is_active_;  // of each row
   std::vector<int> wrong_;       // rows whose sign is wrong, ascending

@@ -41,10 +41,10 @@ std::vector<RowOnBody> rows_on_body(const Model& model, int body, std::span<cons
   return rows;
 }
 
-int probe_rows(const Model& model) {
-  int rows = 0;
-  for (const Probe& probe : model.probes) rows += static_cast<int>(probe.axes.cols());
-  return rows;
+std::vector<Eigen::Index> first_rows_of_probes(const Model& model) {
+  std::vector<Eigen::Index> first{0};
+  for (const Probe& probe : model.probes) first.push_back(first.back() + probe.axes.cols());
+  return first;
 }
 
 /// J C J^T / E of one body.
@@ -65,9 +65,11 @@ void add_body(const Model& model, int index, std::span<const FacingPair> pairs, 
 }  // namespace
 
 ContactSystem contact_system(const Model& model, std::span<const FacingPair> pairs) {
-  const int bilateral = probe_rows(model);
-  const Eigen::Index size = bilateral + std::ssize(pairs);
-  ContactSystem system{.compliance = Eigen::MatrixXd::Zero(size, size), .bilateral = bilateral};
+  std::vector<Eigen::Index> first = first_rows_of_probes(model);
+  const Eigen::Index size = first.back() + std::ssize(pairs);
+  ContactSystem system{.compliance = Eigen::MatrixXd::Zero(size, size),
+                       .bilateral = first.back(),
+                       .first_of_probe = std::move(first)};
   for (int body = 0; body < std::ssize(model.bodies); ++body) add_body(model, body, pairs, system.compliance);
   const Eigen::MatrixXd transposed = system.compliance.transpose();
   system.compliance = 0.5 * (system.compliance + transposed);

@@ -55,16 +55,24 @@ void add_to_probes(const Model& model, ExactScratch& scratch, Response& response
   }
 }
 
+Stop stop_of(ComplementarityReport::End end) {
+  using End = ComplementarityReport::End;
+  if (end == End::Converged) return Stop::Converged;
+  return end == End::WithinTolerance ? Stop::WithinTolerance : Stop::CapReached;
+}
+
 SolveReport solve_exact(const Model& model, const FreeState& free, std::span<const double>,
                         LawScratch& scratch, Response& response) {
   auto& own = static_cast<ExactScratch&>(scratch);
   take_probes(model, free.probes, own);
-  const ComplementarityReport found = own.solve.solve(own.holds, own.values, own.gaps);
+  const ComplementarityReport found =
+      own.solve.solve(own.holds, own.values, own.gaps, model.contact_tolerance);
   add_contacts(model, own, response.loads);
   add_to_probes(model, own, response);
-  return {.stop = found.converged ? Stop::Converged : Stop::CapReached,
+  return {.stop = stop_of(found.end),
           .iterations = found.iterations,
-          .residual = found.residual};
+          .residual = found.residual,
+          .force_error_bound = found.force_error_bound};
 }
 
 }  // namespace

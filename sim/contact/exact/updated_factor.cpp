@@ -58,16 +58,24 @@ void UpdatedFactor::remove(std::size_t at) {
   }
 }
 
-void UpdatedFactor::solve_leading(std::span<double> x, std::size_t count) const {
-  for (std::size_t i = 0; i < count; ++i) {
+void UpdatedFactor::forward(std::span<double> x) const {
+  for (std::size_t i = 0; i < x.size(); ++i) {
     const auto size = static_cast<Eigen::Index>(i);
     x[i] = (x[i] - RowMap(row(i), size).dot(RowMap(x.data(), size))) / row(i)[i];
   }
-  for (std::size_t i = count; i-- > 0;) {
+}
+
+void UpdatedFactor::backward(std::span<double> x) const {
+  for (std::size_t i = x.size(); i-- > 0;) {
     const auto size = static_cast<Eigen::Index>(i);
     x[i] /= row(i)[i];
     Eigen::Map<Eigen::VectorXd>(x.data(), size) -= x[i] * RowMap(row(i), size);
   }
+}
+
+void UpdatedFactor::solve_leading(std::span<double> x, std::size_t count) const {
+  forward(x.first(count));
+  backward(x.first(count));
 }
 
 }  // namespace palpate::sim

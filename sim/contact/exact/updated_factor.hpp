@@ -18,6 +18,13 @@ class UpdatedFactor {
   /// @param at  place of the row that leaves within rows()
   void remove(std::size_t at);
   std::span<const int> rows() const { return rows_; }
+  /// Leaves the first `count` rows.
+  void truncate(std::size_t count) { rows_.resize(count); }
+
+  /// L^-1 x for a right-hand side in the order of rows(), in place.
+  void forward(std::span<double> x) const;
+  /// L^-T x, in place.
+  void backward(std::span<double> x) const;
 
   /// Solves for a right-hand side in the order of rows(), in place.
   void solve(std::span<double> x) const { solve_leading(x, rows_.size()); }

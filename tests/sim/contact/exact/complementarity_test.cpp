@@ -3,25 +3,23 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <optional>
 #include <random>
 
+#include "tests/sim/contact/exact/lemke.hpp"
+
 namespace palpate::sim {
 namespace {
+
+using test::ContactProblem;
+using test::lemke;
 
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-struct Problem {
-  ContactSystem system{};
-  std::vector<char> holds{};
-  std::vector<double> values{}, gaps{};
-};
-
 /// Rows whose compliance spans six decades, as those of a soft and a hard organ do.
-Problem random_problem(int bilateral, int contacts, std::mt19937_64& random, int rank_lost = 0) {
+ContactProblem random_problem(int bilateral, int contacts, std::mt19937_64& random, int rank_lost = 0) {
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> decade(-3, 3);
   const int n = bilateral + contacts;
@@ -29,9 +27,10 @@ Problem random_problem(int bilateral, int contacts, std::mt19937_64& random, int
   for (Index i = 0; i < root.size(); ++i) root.data()[i] = normal(random);
   VectorXd scale(n);
   for (Index i = 0; i < n; ++i) scale[i] = std::pow(10.0, decade(random) / 2);
-  Problem problem;
+  ContactProblem problem;
   problem.system = {.compliance = scale.asDiagonal() * MatrixXd(root * root.transpose()) * scale.asDiagonal(),
-                    .bilateral = bilateral};
+                    .bilateral = bilateral,
+                    .first_of_probe = {0, bilateral}};
   for (int i = 0; i < bilateral; ++i) {
     problem.holds.push_back(1);
     problem.values.push_back(scale[i] * normal(random));
@@ -43,7 +42,7 @@ Problem random_problem(int bilateral, int contacts, std::mt19937_64& random, int
 }
 
 /// Forces with one set of closed contacts, the others open; nothing where a sign is wrong.
-std::optional<VectorXd> with_closed(const Problem& problem, unsigned closed) {
+std::optional<VectorXd> with_closed(const ContactProblem& problem, unsigned closed) {
   const MatrixXd& K = problem.system.compliance;
   const Index p = problem.system.bilateral, n = K.rows();
   std::vector<Index> rows;
@@ -63,53 +62,8 @@ std::optional<VectorXd> with_closed(const Problem& problem, unsigned closed) {
   return x;
 }
 
-/// Complementary pivoting after Lemke on the bilateral rows' Schur complement, an algorithm that shares nothing with
-/// the one under test. Source: [CottlePangStone1992] section 4.4.
-VectorXd lemke(const Problem& problem) {
-  const MatrixXd& K = problem.system.compliance;
-  const Index p = problem.system.bilateral, m = K.rows() - p;
-  const MatrixXd inverse = K.topLeftCorner(p, p).inverse(), coupling = K.bottomLeftCorner(m, p);
-  const VectorXd values = VectorXd::Map(problem.values.data(), p),
-                 gaps = VectorXd::Map(problem.gaps.data(), m);
-  const MatrixXd M = K.bottomRightCorner(m, m) - coupling * inverse * coupling.transpose();
-  const VectorXd q = gaps + coupling * inverse * values;
-  const VectorXd unit = M.diagonal().cwiseSqrt();  // scaled: M_ii = 1
-  MatrixXd tableau(m, 2 * m + 2);                  // w - M z - d z0 = q
-  tableau << MatrixXd::Identity(m, m),
-      -MatrixXd(unit.cwiseInverse().asDiagonal() * M * unit.cwiseInverse().asDiagonal()), -VectorXd::Ones(m),
-      q.cwiseQuotient(unit);
-  std::vector<Index> basis(m);
-  for (Index i = 0; i < m; ++i) basis[i] = i;
-  VectorXd z = VectorXd::Zero(m);
-  Index row = 0;
-  if (tableau.col(2 * m + 1).minCoeff(&row) < 0) {
-    Index entering = 2 * m;
-    for (int pivot = 0; pivot < 10000; ++pivot) {
-      const Index leaving = basis[row];
-      tableau.row(row) /= tableau(row, entering);
-      for (Index i = 0; i < m; ++i)
-        if (i != row) tableau.row(i) -= tableau(i, entering) * tableau.row(row);
-      basis[row] = entering;
-      if (leaving == 2 * m) break;
-      entering = leaving < m ? leaving + m : leaving - m;
-      double least = std::numeric_limits<double>::infinity();
-      for (Index i = 0; i < m; ++i)
-        if (tableau(i, entering) > 1e-12) {
-          const double ratio = tableau(i, 2 * m + 1) / tableau(i, entering);
-          if (ratio < least || (ratio == least && basis[i] == 2 * m)) least = ratio, row = i;
-        }
-    }
-    for (Index i = 0; i < m; ++i)
-      if (basis[i] >= m && basis[i] < 2 * m) z[basis[i] - m] = tableau(i, 2 * m + 1);
-  }
-  VectorXd x(p + m);
-  x.tail(m) = z.cwiseQuotient(unit);
-  x.head(p) = inverse * (values - coupling.transpose() * x.tail(m));
-  return x;
-}
-
 /// In units in which every row's compliance is 1, for rows differ by six decades.
-double difference(const Problem& problem, const VectorXd& a, const VectorXd& b) {
+double difference(const ContactProblem& problem, const VectorXd& a, const VectorXd& b) {
   const VectorXd unit = problem.system.compliance.diagonal().cwiseSqrt();
   return (a - b).cwiseProduct(unit).norm() / b.cwiseProduct(unit).norm();
 }
@@ -119,10 +73,10 @@ double difference(const Problem& problem, const VectorXd& a, const VectorXd& b) 
 TEST(Complementarity, IsTheOneSetOfContactsThatFits) {
   std::mt19937_64 random(1);
   for (int trial = 0; trial < 300; ++trial) {
-    const Problem problem = random_problem(trial % 4, 1 + trial % 8, random);
+    const ContactProblem problem = random_problem(trial % 4, 1 + trial % 8, random);
     ComplementaritySolve solve(problem.system);
     const auto report = solve.solve(problem.holds, problem.values, problem.gaps);
-    EXPECT_TRUE(report.converged);
+    EXPECT_EQ(report.end, ComplementarityReport::End::Converged);
     EXPECT_LE(report.residual, 1e-10);
     int fitting = 0;
     for (unsigned closed = 0; closed < 1U << problem.gaps.size(); ++closed) {
@@ -138,7 +92,7 @@ TEST(Complementarity, IsTheOneSetOfContactsThatFits) {
 TEST(Complementarity, AgreesWithLemke) {
   std::mt19937_64 random(2);
   for (int trial = 0; trial < 60; ++trial) {
-    const Problem problem = random_problem(3, 10 + trial, random);
+    const ContactProblem problem = random_problem(3, 10 + trial, random);
     ComplementaritySolve solve(problem.system);
     EXPECT_LE(solve.solve(problem.holds, problem.values, problem.gaps).residual, 1e-10);
     EXPECT_LE(difference(problem, solve.forces(), lemke(problem)), 1e-6) << trial;
@@ -148,7 +102,7 @@ TEST(Complementarity, AgreesWithLemke) {
 TEST(Complementarity, FollowsChangingGapsAsFromAFreshStart) {
   std::mt19937_64 random(3);
   std::normal_distribution<double> step(0.0, 0.05);
-  Problem problem = random_problem(3, 40, random);
+  ContactProblem problem = random_problem(3, 40, random);
   const VectorXd unit = problem.system.compliance.diagonal().cwiseSqrt();
   ComplementaritySolve warm(problem.system);
   int iterations = 0;
@@ -157,7 +111,7 @@ TEST(Complementarity, FollowsChangingGapsAsFromAFreshStart) {
       problem.gaps[i] += unit[3 + static_cast<Index>(i)] * step(random);
     problem.holds[1] = cycle % 100 < 50 ? 1 : 0;
     const auto report = warm.solve(problem.holds, problem.values, problem.gaps);
-    ASSERT_TRUE(report.converged);
+    ASSERT_EQ(report.end, ComplementarityReport::End::Converged);
     ASSERT_LE(report.residual, 1e-10);
     iterations += report.iterations;
     if (cycle % 20 != 0) continue;
@@ -172,18 +126,18 @@ TEST(Complementarity, FollowsChangingGapsAsFromAFreshStart) {
 TEST(Complementarity, SharesWhatRedundantContactsPush) {
   std::mt19937_64 random(4);
   for (int trial = 0; trial < 100; ++trial) {
-    const Problem problem = random_problem(2, 12, random, 5);
+    const ContactProblem problem = random_problem(2, 12, random, 5);
     ComplementaritySolve solve(problem.system);
     const auto report = solve.solve(problem.holds, problem.values, problem.gaps);
-    EXPECT_TRUE(report.converged);
+    EXPECT_EQ(report.end, ComplementarityReport::End::Converged);
     EXPECT_LE(report.residual, 1e-10);
     EXPECT_TRUE(solve.forces().allFinite());
   }
-  Problem twice = random_problem(1, 4, random);
+  ContactProblem twice = random_problem(1, 4, random);
   MatrixXd& K = twice.system.compliance;
   const std::vector<Index> rows{0, 1, 2, 3, 4, 4};
   twice.gaps = {1.0, 1.0, 1.0, -K(4, 4)};
-  const Problem once = twice;
+  const ContactProblem once = twice;
   ComplementaritySolve one(once.system);
   one.solve(once.holds, once.values, once.gaps);
   K = MatrixXd(once.system.compliance(rows, rows));

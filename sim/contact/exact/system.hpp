@@ -1,0 +1,20 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace palpate::sim {
+
+/// Contacts and probes of a scene as one system: x are forces, K x the displacements along the rows that they bring.
+struct ContactSystem {
+  Eigen::MatrixXd compliance{};  // K [m/N], symmetric, positive semidefinite; bilateral rows first
+  Eigen::Index bilateral = 0;    // how many of them: the axes of probes
+  std::vector<Eigen::Index>
+      first_of_probe{};  // where each probe's rows begin, and the end: one more than probes
+};
+
+/// Part of K's diagonal that is added on the active set, so that contacts that say the same share their force in one
+/// way.
+inline constexpr double kDelta = 1e-12;
+
+}  // namespace palpate::sim
