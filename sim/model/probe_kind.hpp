@@ -12,6 +12,7 @@ namespace palpate::sim {
 /// A way to press.
 struct ProbeKind {
   ProbeKindKeys keys{};  // its name and the keys that it takes in a scene
+  bool turns = false;    // whether it follows the hand's rotation, too
 
   /// Sets the nodes that the probe holds, as mesh nodes, and their weights (sum 1).
   /// @param middle  the node of the surface that the scene puts the probe at
