@@ -168,6 +168,10 @@ std::string reference(const FileFormat& format, std::string_view heading) {
       "what `palpate new --reference {}` prints.)\n\n## A whole file\n\n```toml\n{}```\n",
       format.name, example_file(format, heading));
   for (const TableFormat& table : format.tables) text += section(table);
+  if (!format.apart.empty()) {
+    text += "\n## What cannot be combined\n\nOne file that calls for both is refused:\n\n";
+    for (const std::string& apart : format.apart) text += fmt::format("- {}\n", apart);
+  }
   if (!format.later.empty()) {
     text += "\n## Of later versions\n\nThese keys are refused as not in this version:";
     for (const std::string& key : format.later)

@@ -29,6 +29,7 @@ struct FileFormat {
   std::string_view name{};          // "scene"
   std::string_view introduction{};  // a paragraph
   std::vector<TableFormat> tables{};
+  std::vector<std::string> apart{};  // what one file cannot have together, and why: a clause each
   std::vector<std::string> later{};  // keys and words that are refused as of a later version
 };
 

@@ -21,6 +21,11 @@ std::unique_ptr<Handle> open_script(const std::string& file) {
         fmt::format("{}: {} probes; a scripted hand moves one, with the columns time_s, NAME.x_m, NAME.y_m, "
                     "NAME.z_m",
                     file, paths.size()));
+  if (!paths.front().rotations.empty())
+    throw std::invalid_argument(fmt::format(
+        "{0}:{1}: {2}.rx_rad: a scripted hand does not turn; accepted: the file without {2}.rx_rad, "
+        "{2}.ry_rad, {2}.rz_rad",
+        file, paths.front().line, paths.front().probe));
   auto script = std::make_unique<Script>();
   script->path = std::move(paths.front());
   return script;

@@ -4,9 +4,11 @@
 #include <utility>
 
 #include "sim/compile/body.hpp"
+#include "sim/compile/combinations.hpp"
 #include "sim/compile/overlap.hpp"
 #include "sim/contact/laws.hpp"
 #include "sim/effects/effects.hpp"
+#include "sim/probe/kinds.hpp"
 #include "sim/scene/refuse_key.hpp"
 
 namespace palpate::sim {
@@ -39,7 +41,7 @@ void add_pair(const std::array<std::string, 2>& names, const std::string& nodes_
 }
 
 Model compile_all(const Scene& scene, ComplianceCache& cache) {
-  refuse_combinations(scene);
+  refuse_combinations(scene, effects(), probe_kinds());
   Model model{.scene = scene.name,
               .law = &contact_law(scene.contact.model),
               .contact_tolerance = scene.contact.tolerance};

@@ -44,20 +44,23 @@ double given_way(const Model& model, const Probe& probe, const FarSide& far, con
 
 }  // namespace
 
+std::string depth_warning(const Model& model, const Probe& probe, double depth, const Loads& loads) {
+  std::string deeper;
+  if (depth > probe.depth * (1 + 1e-9))
+    deeper = fmt::format("than the {:.6g} mm of the scene", 1e3 * probe.depth);
+  const FarSide far = far_side(model, probe);
+  if (depth > far.distance && depth > far.distance + given_way(model, probe, far, loads))
+    deeper += fmt::format("{}than {} is thick under it ({:.3g} mm)", deeper.empty() ? "" : ", and ",
+                          model.bodies[probe.body].name, 1e3 * far.distance);
+  if (deeper.empty()) return {};
+  return fmt::format("probes.{} presses {:.6g} mm deep, deeper {}", probe.name, 1e3 * depth, deeper);
+}
+
 std::vector<std::string> depth_warnings(const Model& model, double depth, const Loads& loads) {
   std::vector<std::string> warnings;
-  for (const Probe& probe : model.probes) {
-    std::string deeper;
-    if (depth > probe.depth * (1 + 1e-9))
-      deeper = fmt::format("than the {:.6g} mm of the scene", 1e3 * probe.depth);
-    const FarSide far = far_side(model, probe);
-    if (depth > far.distance && depth > far.distance + given_way(model, probe, far, loads))
-      deeper += fmt::format("{}than {} is thick under it ({:.3g} mm)", deeper.empty() ? "" : ", and ",
-                            model.bodies[probe.body].name, 1e3 * far.distance);
-    if (!deeper.empty())
-      warnings.push_back(
-          fmt::format("probes.{} presses {:.6g} mm deep, deeper {}", probe.name, 1e3 * depth, deeper));
-  }
+  for (const Probe& probe : model.probes)
+    if (std::string warning = depth_warning(model, probe, depth, loads); !warning.empty())
+      warnings.push_back(std::move(warning));
   return warnings;
 }
 

@@ -15,9 +15,12 @@ struct FarSide {
 };
 FarSide far_side(const Model& model, const Probe& probe);
 
-/// Why a press to this depth [m] shows more than the scene is made for: a sentence for each probe that goes
-/// deeper than its own depth in the scene, or than its body is thick under it. A wall that gives way is as thick
+/// Why a press of a probe to this depth [m] shows more than the scene is made for: a sentence where it goes deeper
+/// than its own depth in the scene, or than its body is thick under it; else empty. A wall that gives way is as thick
 /// as it was: what counts is where its far side has come under these loads.
+std::string depth_warning(const Model& model, const Probe& probe, double depth, const Loads& loads);
+
+/// Those of all probes, pressed to one depth.
 std::vector<std::string> depth_warnings(const Model& model, double depth, const Loads& loads);
 
 }  // namespace palpate::sim

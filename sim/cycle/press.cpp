@@ -37,23 +37,29 @@ void require_solved(const Press& press) {
                                            1e3 * step.depth, to_string(step.solve.stop)));
 }
 
+PressStep press_step(const Model& model, Simulation& simulation, ProbeDisplacements probes, double dt) {
+  PressStep step{.depth = probes.front().from_rest.dot(model.probes.front().direction),
+                 .probes = {probes.begin(), probes.end()}};
+  const auto before = std::chrono::steady_clock::now();
+  const CycleResult result = simulation.step(probes, dt);
+  const std::chrono::duration<double, std::micro> taken = std::chrono::steady_clock::now() - before;
+  step.cycle_us = taken.count();
+  step.probe_forces.assign(result.probe_forces.begin(), result.probe_forces.end());
+  step.pairs.assign(result.pairs.begin(), result.pairs.end());
+  step.pairs.resize(model.pairs.size());  // without a law that has anything to do, bodies do nothing
+  step.penetration = remaining_overlaps(model, simulation);
+  step.solve = result.solve;
+  return step;
+}
+
 Press press(const Model& model, double depth, int steps) {
   assert(steps > 0);
   Simulation simulation(model);
   Press press;
   for (int i = 1; i <= steps; ++i) {
-    PressStep step{.depth = depth * i / steps};
-    const std::vector<ProbeDisplacement> probes = displaced_by(model, step.depth);
-    const auto before = std::chrono::steady_clock::now();
-    const CycleResult result = simulation.step(probes, kCyclePeriod);
-    const std::chrono::duration<double, std::micro> taken = std::chrono::steady_clock::now() - before;
-    step.cycle_us = taken.count();
-    step.probe_forces.assign(result.probe_forces.begin(), result.probe_forces.end());
-    step.pairs.assign(result.pairs.begin(), result.pairs.end());
-    step.pairs.resize(model.pairs.size());  // without a law that has anything to do, bodies do nothing
-    step.penetration = remaining_overlaps(model, simulation);
-    step.solve = result.solve;
-    press.curve.push_back(std::move(step));
+    const double here = depth * i / steps;
+    press.curve.push_back(press_step(model, simulation, displaced_by(model, here), kCyclePeriod));
+    press.curve.back().depth = here;  // as it was asked for, to the last bit
   }
   press.loads = simulation.loads();
   return press;

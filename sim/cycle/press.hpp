@@ -6,12 +6,13 @@
 
 namespace palpate::sim {
 
-/// One step of a press, as Fig. 8 of Kuroda et al. 2003 plots it.
+/// One step of a press, as Fig. 8 of Kuroda et al. 2003 plots it, or of a stroke (stroke.hpp): one cycle.
 struct PressStep {
-  double depth = 0.0;                 // of the first probe along its direction [m]
-  std::vector<Vec3> probe_forces{};   // on each finger [N]
-  std::vector<PairSummary> pairs{};   // in the model's order
-  std::vector<double> penetration{};  // of each pair: deepest overlap that remains [m]
+  double depth = 0.0;                       // of the first probe along its direction [m]
+  std::vector<ProbeDisplacement> probes{};  // where each is
+  std::vector<Vec3> probe_forces{};         // on each finger [N]
+  std::vector<PairSummary> pairs{};         // in the model's order
+  std::vector<double> penetration{};        // of each pair: deepest overlap that remains [m]
   SolveReport solve{};
   double cycle_us = 0.0;  // time that the cycle took here [microseconds]
 };
@@ -24,6 +25,9 @@ struct Press {
 /// Presses every probe along its direction to `depth` in `steps` equal steps, one cycle each; the first step
 /// is depth / steps. Probes move together.
 Press press(const Model& model, double depth, int steps);
+
+/// One cycle with the probes there, and what it has come to. @param dt  since the cycle before [s]
+PressStep press_step(const Model& model, Simulation& simulation, ProbeDisplacements probes, double dt);
 
 /// Throws std::runtime_error, with the depth and the reason, where a step could not be solved.
 void require_solved(const Press& press);

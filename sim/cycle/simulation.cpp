@@ -47,8 +47,9 @@ void Simulation::clear_response() {
 }
 
 SolveReport Simulation::solve(ProbeDisplacements probes) {
-  if (!std::ranges::all_of(probes,
-                           [](const ProbeDisplacement& probe) { return probe.from_rest.allFinite(); }))
+  if (!std::ranges::all_of(probes, [](const ProbeDisplacement& probe) {
+        return probe.from_rest.allFinite() && probe.rotation.allFinite();
+      }))
     return {.stop = Stop::NotFinite};
   prescribe(*model_, probes, free_.probes);
   SolveReport report = free_deformation(*model_, free_solves_, free_, response_);

@@ -1,9 +1,5 @@
 #include "sim/effects/effects.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <stdexcept>
 #include <vector>
 
 #include "sim/effects/contact/contact.hpp"
@@ -22,17 +18,6 @@ std::span<const Effect* const> effects() {
     return list;
   }();
   return all;
-}
-
-void refuse_combinations(const Scene& scene) {
-  for (const Effect* effect : effects()) {
-    if (effect->excludes.empty() || !effect->state(scene).on) continue;
-    for (const Effect* other : effects())
-      if (std::ranges::count(effect->excludes, other->name) > 0 && other->state(scene).on)
-        throw std::invalid_argument(fmt::format("{} ({}) cannot be combined with {} ({})", effect->name,
-                                                effect->state(scene).reason, other->name,
-                                                other->state(scene).reason));
-  }
 }
 
 void fill_effects(const Scene& scene, Model& model) {

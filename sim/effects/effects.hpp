@@ -9,9 +9,6 @@ namespace palpate::sim {
 /// Every effect that the design knows, in the order of the slots of a compiled scene.
 std::span<const Effect* const> effects();
 
-/// Throws std::invalid_argument where a scene calls for two effects that cannot be combined.
-void refuse_combinations(const Scene& scene);
-
 /// Puts into a model what its scene calls for, effect by effect.
 void fill_effects(const Scene& scene, Model& model);
 

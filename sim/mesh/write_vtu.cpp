@@ -104,7 +104,7 @@ void write_cells(Out out, const TetMesh& mesh) {
 
 }  // namespace
 
-void write_vtu(const std::filesystem::path& file, const TetMesh& mesh, const VtuFields& fields) {
+std::string vtu_text(const TetMesh& mesh, const VtuFields& fields) {
   fmt::memory_buffer text;
   const Out out(text);
   fmt::format_to(out,
@@ -122,7 +122,11 @@ void write_vtu(const std::filesystem::path& file, const TetMesh& mesh, const Vtu
   fmt::format_to(out, "</Points>\n");
   write_cells(out, mesh);
   fmt::format_to(out, "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
-  base::write_atomically(file, {text.data(), text.size()});
+  return fmt::to_string(text);
+}
+
+void write_vtu(const std::filesystem::path& file, const TetMesh& mesh, const VtuFields& fields) {
+  base::write_atomically(file, vtu_text(mesh, fields));
 }
 
 }  // namespace palpate::sim

@@ -15,9 +15,11 @@ struct VtuFields {
   std::map<std::string, Eigen::VectorXd> cell_scalars;
 };
 
-/// Writes an ASCII VTK unstructured grid with all digits, aside and then renamed. Node groups are written as
-/// point data `group.NAME` (0 or 1), regions as cell data `region` (index into region_names, -1 for none).
-/// Throws std::system_error when the disk refuses.
+/// An ASCII VTK unstructured grid with all digits. Node groups are point data `group.NAME` (0 or 1), regions cell data
+/// `region` (index into region_names, -1 for none).
+std::string vtu_text(const TetMesh& mesh, const VtuFields& fields);
+
+/// Writes it aside and then renames it. Throws std::system_error when the disk refuses.
 void write_vtu(const std::filesystem::path& file, const TetMesh& mesh, const VtuFields& fields);
 
 }  // namespace palpate::sim

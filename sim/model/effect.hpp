@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "sim/model/exclusion.hpp"
 #include "sim/model/model.hpp"
 #include "sim/scene/accepted.hpp"
 #include "sim/scene/scene.hpp"
@@ -13,7 +14,8 @@ namespace palpate::sim {
 /// Whether a scene calls for an effect, and why.
 struct EffectState {
   bool on = false;
-  std::string reason{};  // a clause that names the key of the scene
+  std::string reason{};  // a clause that names the key of the scene: of what is on, with its value
+  std::string key{};     // that calls for it, where it is on: "contact.model"
 };
 
 inline void fill_nothing(const Scene&, Model&) {}
@@ -23,9 +25,9 @@ inline Model unchanged(Model model) {
 
 /// Physics that a scene may call for.
 struct Effect {
-  std::string_view name{};                       // as `check` lists it, which is also what its cost is called
-  std::span<const EffectKey> keys{};             // of a scene, that call for it
-  std::span<const std::string_view> excludes{};  // names of effects that it cannot be combined with
+  std::string_view name{};                // as `check` lists it, which is also what its cost is called
+  std::span<const EffectKey> keys{};      // of a scene, that call for it
+  std::span<const Exclusion> excludes{};  // what a scene cannot call for beside it
 
   EffectState (*state)(const Scene& scene) = nullptr;
 

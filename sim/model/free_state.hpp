@@ -8,10 +8,12 @@
 
 namespace palpate::sim {
 
-/// Where a probe is: its displacement from the place where it rests on the skin [m]. It presses while the
-/// displacement along the probe's direction is positive; otherwise it has left the skin and feels nothing.
+/// Where a probe is: its displacement from the place where it rests on the skin [m], and how it is turned there. It
+/// presses while the displacement along the probe's direction is positive; otherwise it has left the skin and feels
+/// nothing.
 struct ProbeDisplacement {
   Vec3 from_rest = Vec3::Zero();
+  Vec3 rotation = Vec3::Zero();  // rotation vector [rad]; of kinds that turn (ProbeKind::turns), else unused
 };
 using ProbeDisplacements = std::span<const ProbeDisplacement>;  // one a probe, in the model's order
 

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <span>
+
 #include "sim/mesh/surface.hpp"
 #include "sim/mesh/tet_mesh.hpp"
+#include "sim/model/exclusion.hpp"
 #include "sim/model/free_state.hpp"
 #include "sim/model/model.hpp"
 #include "sim/scene/accepted.hpp"
@@ -11,7 +14,9 @@ namespace palpate::sim {
 
 /// A way to press.
 struct ProbeKind {
-  ProbeKindKeys keys{};  // its name and the keys that it takes in a scene
+  ProbeKindKeys keys{};                   // its name and the keys that it takes in a scene
+  std::span<const Exclusion> excludes{};  // what a scene cannot call for beside it
+  bool turns = false;                     // whether it follows the hand's rotation, too
 
   /// Sets the nodes that the probe holds, as mesh nodes, and their weights (sum 1).
   /// @param middle  the node of the surface that the scene puts the probe at

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -43,5 +44,8 @@ struct EffectKey {
 
 /// Every such key. Defined in sim/effects/effects.cpp.
 std::span<const EffectKey> effect_keys();
+
+/// What one scene cannot have together, and why: a clause each. Defined in sim/compile/combinations.cpp.
+std::vector<std::string> combinations_in_words();
 
 }  // namespace palpate::sim

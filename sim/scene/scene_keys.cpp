@@ -271,6 +271,7 @@ base::FileFormat scene_format() {
                 "examinee feels.",
             .keys = {kProbeKeys.begin(), kProbeKeys.end()},
             .shown = {{.path = "probes.finger"}}}},
+      .apart = combinations_in_words(),
       .later = later_keys()};
 }
 

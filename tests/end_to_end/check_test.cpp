@@ -14,6 +14,7 @@ namespace palpate::test {
 namespace {
 
 using nlohmann::json;
+using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
 
@@ -47,6 +48,39 @@ TEST(Check, TellsWhatThereIsToFeel) {
   EXPECT_THAT(check["warnings"].get<std::vector<std::string>>(),
               testing::ElementsAre(HasSubstr("in cell sibille nobody can tell soft and hard apart")));
   EXPECT_GT(check["minutes"], 1);
+}
+
+/// The line of a file that holds a text, counted from 1.
+long line_with(const std::string& file, const std::string& text) {
+  const std::string all = trials::test::read(file);
+  return std::count(all.begin(), all.begin() + static_cast<long>(all.find(text)), '\n') + 1;
+}
+
+TEST(Check, TellsWhichLineCallsForAnEffectAndWhatItCosts) {
+  const std::string scene = source_folder() + "/data/scenes/rectal-palpation.toml";
+  const std::string at = scene + ":" + std::to_string(line_with(scene, "\nmodel ") + 1);
+  const json effects = printed({"check", scene, "--format", "json"})["effects"];
+  EXPECT_EQ(effects[0]["effect"], "linear elasticity");
+  EXPECT_GT(effects[0]["cycle_us"], 0.0);
+  EXPECT_EQ(effects[1]["effect"], "contact");
+  EXPECT_TRUE(effects[1]["on"]);
+  EXPECT_EQ(effects[1]["called_for_at"], at);
+  EXPECT_EQ(effects[1]["key"], "contact.model");
+  EXPECT_TRUE(effects[1]["measured"]);
+  EXPECT_GT(effects[1]["cycle_us"], 0.0);
+  for (std::size_t i = 2; i < effects.size(); ++i) {
+    EXPECT_FALSE(effects[i]["on"]);
+    EXPECT_TRUE(effects[i]["called_for_at"].is_null());
+    EXPECT_FALSE(effects[i]["measured"]);
+    EXPECT_EQ(effects[i]["cycle_us"], 0.0);
+  }
+  EXPECT_THAT(run({"check", scene}).out,
+              AllOf(HasSubstr(at + " contact.model = \"kuroda\" between rectum and prostate\n"),
+                    HasSubstr("nothing calls for it: no contact.friction (not in this version)\n"),
+                    HasSubstr("finger: a point, which holds 1 node; ")));
+  EXPECT_THAT(run({"check", scene, "--model", "exact"}).out, HasSubstr("  --set contact.model = \"exact\""));
+  EXPECT_THAT(run({"check", scene, "--model", "none"}).out,
+              HasSubstr("nothing calls for it: contact.model = \"none\"\n"));
 }
 
 TEST(Check, WarnsOfAQuestionThatAsksForTheOther) {

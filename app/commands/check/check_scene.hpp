@@ -2,12 +2,11 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "app/command_line/scene_options.hpp"
+#include "app/commands/check/check_effects.hpp"
 #include "sim/mesh/quality.hpp"
-#include "sim/model/effect.hpp"
 
 namespace palpate::app {
 
@@ -17,17 +16,10 @@ struct BodyCheck {
   std::size_t fixed = 0, can_collide = 0;
 };
 
-struct EffectCheck {
-  std::string_view name;
-  sim::EffectState state{};
-  double cycle_us = 0.0;  // what it adds to a cycle
-};
-
 struct SceneCheck {
   std::string name;
   std::vector<BodyCheck> bodies{};
-  std::vector<EffectCheck> effects{};
-  double deformation_us = 0.0;  // a cycle without any effect
+  EffectsCheck effects{};
 };
 
 /// Compiles and presses the scene, measures its meshes, and times what each effect adds to a cycle.

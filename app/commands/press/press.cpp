@@ -16,15 +16,16 @@
 #include "app/command_line/stimulus_options.hpp"
 #include "app/command_line/user_cache.hpp"
 #include "app/commands/press/press_output.hpp"
+#include "app/commands/press/press_path.hpp"
 #include "app/commands/press/press_plot.hpp"
+#include "app/commands/press/press_state.hpp"
 #include "app/commands/press/press_study.hpp"
 #include "app/study/simulation.hpp"
 #include "base/files/folder_of.hpp"
 #include "sim/compile/compile.hpp"
 #include "sim/cycle/depth_warnings.hpp"
 #include "sim/cycle/press.hpp"
-#include "sim/elasticity/stress.hpp"
-#include "sim/mesh/write_vtu.hpp"
+#include "sim/cycle/stroke.hpp"
 
 namespace palpate::app {
 namespace {
@@ -34,26 +35,12 @@ struct PressOptions {
   StimulusOptions stimulus{};
   std::string depth;
   int steps = 10;
+  std::string path;
   std::string save;
   std::string plot;
   std::filesystem::path observer;
   std::string format;
 };
-
-/// STATE.body.vtu for each body, every node moved by the uncondensed problem under the last step's loads.
-void save_state(const sim::Model& model, const sim::Press& press, const std::string& state) {
-  const std::vector<sim::WholeBody> wholes = sim::whole_bodies(model, press.loads);
-  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
-    const sim::Body& body = model.bodies[i];
-    const sim::WholeBody& whole = wholes[i];
-    sim::VtuFields fields;
-    fields.point_vectors = {{"displacement", whole.displacement}, {"force", whole.force}};
-    fields.cell_scalars = {{"von_mises", sim::von_mises(*body.mesh, body.materials, whole.displacement)}};
-    const std::string file = fmt::format("{}.{}.vtu", state, body.name);
-    sim::write_vtu(file, *body.mesh, fields);
-    fmt::print(stderr, "wrote {}\n", file);
-  }
-}
 
 /// Once for each sentence, however many conditions it is true of.
 void warn_of_depth(const sim::Model& model, const sim::Press& press, std::set<std::string>& told) {
@@ -72,9 +59,26 @@ void press_scene(const PressOptions& options, std::optional<double> depth) {
     print_json(press_json(model, press));
   else
     fmt::print("{}", press_text(model, press));
-  if (!options.save.empty()) save_state(model, press, options.save);
+  if (!options.save.empty()) save_state(model, press.loads, options.save);
   if (options.plot.empty()) return;
   draw_plot(press_plot(model, press), options.plot);
+  fmt::print(stderr, "wrote {}\n", options.plot);
+}
+
+void stroke_scene(const PressOptions& options) {
+  sim::ComplianceCache cache = user_cache();
+  const sim::Model model = sim::compile(load_scene(options.scene), cache);
+  const sim::Stroke stroke = sim::stroke(model, read_stroke(model, options.path));
+  sim::require_solved(stroke);
+  for (const std::string& warning : stroke_warnings(model, stroke))
+    fmt::print(stderr, "warning: {}\n", warning);
+  if (options.format == "json")
+    print_json(stroke_json(model, stroke));
+  else
+    fmt::print("{}", stroke_text(model, stroke));
+  if (!options.save.empty()) save_state(model, stroke.loads, options.save);
+  if (options.plot.empty()) return;
+  draw_plot(stroke_plot(model, stroke), options.plot);
   fmt::print(stderr, "wrote {}\n", options.plot);
 }
 
@@ -92,7 +96,7 @@ void press_protocol(const PressOptions& options, std::optional<double> depth) {
     print_json(study_press_json(protocol, pressed));
   else
     fmt::print("{}", study_press_text(protocol, pressed));
-  if (!options.save.empty()) save_state(pressed.front().model, pressed.front().press, options.save);
+  if (!options.save.empty()) save_state(pressed.front().model, pressed.front().press.loads, options.save);
   if (options.plot.empty()) return;
   draw_plot(study_press_plot(protocol, pressed, people), options.plot);
   fmt::print(stderr, "wrote {}\n", options.plot);
@@ -105,12 +109,18 @@ void run_press(const PressOptions& options) {
   if (depth && !(*depth > 0.0))
     throw std::invalid_argument(fmt::format("--depth {}: accepted: > 0", options.depth));
   if (!options.save.empty()) base::require_folder_of(options.save);
-  if (input_kind(options.scene) == InputKind::Protocol) return press_protocol(options, depth);
+  if (input_kind(options.scene) == InputKind::Protocol) {
+    if (!options.path.empty())
+      throw std::invalid_argument(fmt::format("--path {}: {} is a protocol; accepted: with a scene",
+                                              options.path, options.scene.file));
+    return press_protocol(options, depth);
+  }
   refuse_choice(options.stimulus, options.scene.file);
   if (!options.observer.empty())
     throw std::invalid_argument(fmt::format("--observer {}: {} is a scene; accepted: with a protocol",
                                             options.observer.string(), options.scene.file));
-  press_scene(options, depth);
+  if (options.path.empty()) return press_scene(options, depth);
+  stroke_scene(options);
 }
 
 void add_press(CLI::App& command) {
@@ -118,14 +128,24 @@ void add_press(CLI::App& command) {
   add_scene(command, options->scene);
   command.get_option("scene")->description("Scene, or protocol: each of its conditions in each cell (TOML)");
   add_stimulus(command, options->stimulus);
-  command.add_option("--depth", options->depth,
-                     "How deep, with its unit (default: the probe's depth in the scene)");
-  command.add_option("--steps", options->steps, "Equal steps from the surface to the depth")
-      ->check(CLI::Range(1, 1000000))
-      ->capture_default_str();
+  auto* depth = command.add_option("--depth", options->depth,
+                                   "How deep, with its unit (default: the probe's depth in the scene)");
+  auto* steps = command.add_option("--steps", options->steps, "Equal steps from the surface to the depth")
+                    ->check(CLI::Range(1, 1000000))
+                    ->capture_default_str();
+  command
+      .add_option(
+          "--path", options->path,
+          "In place of a press, take the probes of a scene along a path (CSV): column time_s and, for "
+          "each probe NAME, NAME.x_m, NAME.y_m, NAME.z_m, its displacement from where the scene puts it "
+          "(and NAME.rx_rad, NAME.ry_rad, NAME.rz_rad, a rotation vector, of kinds that turn). Each row "
+          "is one cycle; nothing is put between rows. A probe without columns stays at rest")
+      ->excludes(depth)
+      ->excludes(steps);
   command.add_option("--save", options->save,
-                     "Write STATE.<body>.vtu with displacement, force and von Mises stress");
-  command.add_option("--plot", options->plot, "Write a plot of the force over the depth, .svg or .png");
+                     "Write STATE.<body>.vtu with displacement, force and von Mises stress at the last step");
+  command.add_option("--plot", options->plot,
+                     "Write a plot of the force over the depth, or over the time of a path, .svg or .png");
   command.add_option(
       "--observer", options->observer,
       "Observer file (TOML) whose device's largest force the plot of a protocol shows (default: "
@@ -134,7 +154,8 @@ void add_press(CLI::App& command) {
   command.footer(
       "Example:\n  palpate press data/scenes/rectal-palpation.toml --model kuroda --depth \"5 mm\" "
       "--set bodies.prostate.young_modulus=\"5 MPa\"\n"
-      "  palpate press protocols/kuroda2003.toml --steps 100 --plot forces.svg");
+      "  palpate press protocols/kuroda2003.toml --steps 100 --plot forces.svg\n"
+      "  palpate press data/scenes/rectal-palpation.toml --path stroke.csv --plot stroke.svg");
   command.callback([options] { run_press(*options); });
 }
 
@@ -142,7 +163,8 @@ void add_press(CLI::App& command) {
 
 const Command press_command{
     .name = "press",
-    .summary = "Force over depth of a press into a scene, or of each condition of a protocol",
+    .summary =
+        "Force over depth of a press into a scene, or of each condition of a protocol; or along a path",
     .heading = "Touch",
     .add = add_press};
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <set>
 
+#include "sim/model/probe_kind.hpp"
+
 namespace palpate::app {
 namespace {
 
@@ -57,11 +59,8 @@ ordered_json step_json(const sim::Model& model, const sim::PressStep& step) {
             {"force_error_bound", step.solve.force_error_bound}}}};
 }
 
-}  // namespace
-
-ordered_json press_json(const sim::Model& model, const sim::Press& press) {
-  ordered_json curve = ordered_json::array();
-  for (const sim::PressStep& step : press.curve) curve.push_back(step_json(model, step));
+/// @param curve  what each step gave
+ordered_json curve_json(const sim::Model& model, const ordered_json& curve) {
   return {{"scene", model.scene},
           {"model", std::string(model.law->name)},
           {"units", {{"length", "m"}, {"force", "N"}}},
@@ -69,20 +68,72 @@ ordered_json press_json(const sim::Model& model, const sim::Press& press) {
           {"curve", curve}};
 }
 
-std::string press_text(const sim::Model& model, const sim::Press& press) {
-  std::string text =
-      fmt::format("{}, contact model {}\n{:>10} {:>12} {:>9} {:>16} {:>11}\n", model.scene, model.law->name,
-                  "depth [mm]", "force [N]", "contacts", "overlap [mm]", "cycle [us]");
-  for (const sim::PressStep& step : press.curve) {
-    int active = 0;
-    double overlap = 0.0;
-    for (std::size_t i = 0; i < step.pairs.size(); ++i) {
-      active += step.pairs[i].active;
-      overlap = std::max(overlap, step.penetration[i]);
+/// What touches at a step: "contacts", "overlap [mm]", "cycle [us]".
+std::string touch_text(const sim::PressStep& step) {
+  int active = 0;
+  double overlap = 0.0;
+  for (std::size_t i = 0; i < step.pairs.size(); ++i) {
+    active += step.pairs[i].active;
+    overlap = std::max(overlap, step.penetration[i]);
+  }
+  return fmt::format("{:>9} {:>16.4f} {:>11.1f}\n", active, 1e3 * overlap, step.cycle_us);
+}
+
+const std::string kTouchHeading =
+    fmt::format("{:>9} {:>16} {:>11}\n", "contacts", "overlap [mm]", "cycle [us]");
+
+}  // namespace
+
+ordered_json press_json(const sim::Model& model, const sim::Press& press) {
+  ordered_json curve = ordered_json::array();
+  for (const sim::PressStep& step : press.curve) curve.push_back(step_json(model, step));
+  return curve_json(model, curve);
+}
+
+ordered_json stroke_json(const sim::Model& model, const sim::Stroke& stroke) {
+  ordered_json curve = ordered_json::array();
+  for (std::size_t i = 0; i < stroke.steps.size(); ++i) {
+    ordered_json entry = {{"time", stroke.times[i]}};
+    entry.update(step_json(model, stroke.steps[i]));
+    for (std::size_t k = 0; k < model.probes.size(); ++k) {
+      ordered_json& probe = entry["probes"][model.probes[k].name];
+      probe["displacement"] = vector_json(stroke.steps[i].probes[k].from_rest);
+      if (model.probes[k].kind->turns) probe["rotation"] = vector_json(stroke.steps[i].probes[k].rotation);
     }
-    text += fmt::format("{:>10.3f} {:>12.5f} {:>9} {:>16.4f} {:>11.1f}\n", 1e3 * step.depth,
-                        sim::normal_force(model.probes.front(), step.probe_forces.front()), active,
-                        1e3 * overlap, step.cycle_us);
+    curve.push_back(std::move(entry));
+  }
+  return curve_json(model, curve);
+}
+
+std::string press_text(const sim::Model& model, const sim::Press& press) {
+  std::string text = fmt::format("{}, contact model {}\n{:>10} {:>12} {}", model.scene, model.law->name,
+                                 "depth [mm]", "force [N]", kTouchHeading);
+  for (const sim::PressStep& step : press.curve)
+    text += fmt::format("{:>10.3f} {:>12.5f} {}", 1e3 * step.depth,
+                        sim::normal_force(model.probes.front(), step.probe_forces.front()), touch_text(step));
+  return text;
+}
+
+std::string stroke_text(const sim::Model& model, const sim::Stroke& stroke) {
+  std::string text = fmt::format("{}, contact model {}\n{:>10}", model.scene, model.law->name, "");
+  std::string units = fmt::format("{:>10}", "time [s]");
+  for (const sim::Probe& probe : model.probes) {
+    text += fmt::format("   {:<69}", probe.name);
+    units += fmt::format("   {:>26} {:>32} {:>9}", "displacement x y z [mm]", "force x y z [N]", "normal");
+  }
+  text.erase(text.find_last_not_of(' ') + 1);
+  text += fmt::format("\n{} {}", units, kTouchHeading);
+  for (std::size_t i = 0; i < stroke.steps.size(); ++i) {
+    const sim::PressStep& step = stroke.steps[i];
+    text += fmt::format("{:>10.6g}", stroke.times[i]);
+    for (std::size_t k = 0; k < model.probes.size(); ++k) {
+      const sim::Vec3 moved = 1e3 * step.probes[k].from_rest;
+      const sim::Vec3 force = step.probe_forces[k] + sim::Vec3::Zero();  // -0 is 0
+      text += fmt::format("   {:>8.3f} {:>8.3f} {:>8.3f} {:>10.5f} {:>10.5f} {:>10.5f} {:>9.4f}", moved[0],
+                          moved[1], moved[2], force[0], force[1], force[2],
+                          sim::normal_force(model.probes[k], force));
+    }
+    text += fmt::format(" {}", touch_text(step));
   }
   return text;
 }

@@ -50,6 +50,26 @@ Plot press_plot(const sim::Model& model, const sim::Press& press) {
           .panels = {{.series = {curve_of("force", model, press)}}}};
 }
 
+Plot stroke_plot(const sim::Model& model, const sim::Stroke& stroke) {
+  Plot plot{.title = fmt::format("{}, contact model {}", model.scene, model.law->name),
+            .note = "force on each probe along a path: its components, and what resists the press (normal)",
+            .x_label = "time [s]",
+            .y_label = "force [N]"};
+  for (std::size_t k = 0; k < model.probes.size(); ++k) {
+    PlotPanel panel{.title = model.probes[k].name, .series = {{"x"}, {"y"}, {"z"}, {"normal"}}};
+    for (std::size_t i = 0; i < stroke.steps.size(); ++i) {
+      const sim::Vec3& force = stroke.steps[i].probe_forces[k];
+      const double values[] = {force[0], force[1], force[2], sim::normal_force(model.probes[k], force)};
+      for (std::size_t series = 0; series < 4; ++series) {
+        panel.series[series].x.push_back(stroke.times[i]);
+        panel.series[series].y.push_back(values[series]);
+      }
+    }
+    plot.panels.push_back(std::move(panel));
+  }
+  return plot;
+}
+
 Plot study_press_plot(const trials::Protocol& protocol, const std::vector<PressedStimulus>& pressed,
                       const trials::ObserverParameters& people) {
   Plot plot{.title = fmt::format("{}: what each condition feels like", protocol.name),

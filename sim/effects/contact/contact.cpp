@@ -20,7 +20,8 @@ EffectState state_of_contact(const Scene& scene) {
     if (is_present(scene, pair[0]) && is_present(scene, pair[1]))
       pairs += fmt::format("{}{} and {}", pairs.empty() ? "" : ", ", pair[0], pair[1]);
   if (pairs.empty()) return {false, "of each pair in contact.touch one body is not present"};
-  return {true, fmt::format("contact.model = \"{}\" between {}", scene.contact.model, pairs)};
+  return {true, fmt::format("contact.model = \"{}\" between {}", scene.contact.model, pairs),
+          "contact.model"};
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ EffectState no_near_incompressibility(const Scene&) {
   return {false, "no volumetric of a body (not in this version)"};
 }
 EffectState no_large_deformation(const Scene&) {
-  return {false, "no key calls for it (not in this version)"};
+  return {false, "not in this version"};
 }
 
 constexpr std::array kFrictionKeys{EffectKey{"contact", {.name = "friction"}, "friction"}};
@@ -23,7 +23,15 @@ constexpr std::array kViscosityKeys{EffectKey{"bodies", {.name = "relaxation"}, 
 constexpr std::array kVolumetricKeys{
     EffectKey{"bodies", {.name = "volumetric"}, "the near-incompressible treatment"}};
 
-constexpr Effect kFriction{.name = "friction", .keys = kFrictionKeys, .state = no_friction};
+constexpr std::string_view kUnbalanced =
+    "its forces do not balance, so that there is no one normal force to hold friction against";
+constexpr std::array kFrictionExcludes{
+    Exclusion{Choice::ContactModel, "kuroda", kUnbalanced},
+    Exclusion{Choice::ContactModel, "sibille", kUnbalanced},
+};
+
+constexpr Effect kFriction{
+    .name = "friction", .keys = kFrictionKeys, .excludes = kFrictionExcludes, .state = no_friction};
 constexpr Effect kViscosity{.name = "viscosity", .keys = kViscosityKeys, .state = no_viscosity};
 constexpr Effect kNearIncompressibility{
     .name = "near-incompressibility", .keys = kVolumetricKeys, .state = no_near_incompressibility};

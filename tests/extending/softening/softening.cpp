@@ -27,7 +27,8 @@ constexpr std::array kKeys{
 EffectState state(const Scene& scene) {
   for (const BodySpec& body : scene.bodies)
     if (body.present && body.effects.contains("softening"))
-      return {true, fmt::format("bodies.{}.softening", body.name)};
+      return {true, fmt::format("bodies.{}.softening = {}", body.name, body.effects.at("softening").front()),
+              fmt::format("bodies.{}.softening", body.name)};
   return {false, "no softening of a body"};
 }
 
