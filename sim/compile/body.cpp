@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sim/compile/placed_mesh.hpp"
+#include "sim/compile/region.hpp"
 #include "sim/compile/selection.hpp"
 #include "sim/mesh/quality.hpp"
 #include "sim/probe/probes.hpp"
@@ -48,13 +49,16 @@ void refuse_too_many(const BodySpec& spec, std::size_t touched) {
 /// A node can follow one probe only.
 void refuse_shared_node(const ProbeSpec& spec, const Probe& probe, const std::vector<Probe>& others,
                         const TetMesh& mesh) {
-  for (const Probe& other : others)
-    for (const int node : probe.nodes)
-      if (std::ranges::find(other.nodes, node) != other.nodes.end())
+  const auto nodes_of = [](const Probe& held) { return held.region ? held.region->nodes : held.nodes; };
+  for (const Probe& other : others) {
+    const std::vector<int> taken = nodes_of(other);
+    for (const int node : nodes_of(probe))
+      if (std::ranges::find(taken, node) != taken.end())
         refuse_key(
             "probes." + spec.name,
             fmt::format("holds node {} of {}, and so does probes.{}; accepted: probes apart from each other",
                         mesh.node_tags[node], spec.body, other.name));
+  }
 }
 
 /// What a probe is once its body is condensed; from here on its nodes are touch indices.
@@ -62,25 +66,54 @@ void finish_probe(const ProbeSpec& spec, const Body& body, Probe& probe) {
   probe.direction = spec.direction;
   probe.depth = spec.depth;
   probe.tangential = spec.tangential;
+  if (probe.region) return;
   probe.axes = spec.tangential == Tangential::Held ? Eigen::Matrix3Xd(Eigen::Matrix3d::Identity())
                                                    : Eigen::Matrix3Xd(spec.direction);
   for (int& node : probe.nodes) node = body.touch_of_node[node];
   const Eigen::MatrixXd& compliance = body.compliance->touch_touch;
-  probe.compliance = Eigen::MatrixXd::Zero(compliance.rows(), probe.axes.cols());
-  for (std::size_t i = 0; i < probe.nodes.size(); ++i)
-    probe.compliance += probe.weights[i] * compliance.middleCols<3>(3 * probe.nodes[i]) * probe.axes;
+  const auto of = [&](const auto& weights) {
+    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(compliance.rows(), probe.axes.cols());
+    for (std::size_t i = 0; i < probe.nodes.size(); ++i)
+      if (const double weight = weights[static_cast<Eigen::Index>(i)]; weight != 0.0)
+        sum += weight * compliance.middleCols<3>(3 * probe.nodes[i]) * probe.axes;
+    return sum;
+  };
+  probe.compliance = of(Eigen::VectorXd::Map(probe.weights.data(), std::ssize(probe.weights)));
+  for (Knot& knot : probe.slide.knots) knot.compliance = of(knot.weights);
 }
 
 /// The compliance of the body at E = 1 Pa.
 std::shared_ptr<const Compliance> unit_compliance(const BodySpec& spec, const Body& body,
+                                                  const std::vector<int>& held,
                                                   const std::vector<int>& touched, ComplianceCache& cache) {
   std::vector<Material> unit = body.materials;
   for (Material& material : unit) material.young_modulus /= body.young_modulus;
   try {
-    return cache.get(*body.mesh, unit, body.fixed, touched, without(body.surface->nodes, body.fixed));
+    return cache.get(*body.mesh, unit, held, touched, without(body.surface->nodes, held));
   } catch (const std::invalid_argument& error) {
     refuse_key(fmt::format("bodies.{}", spec.name), error.what());
   }
+}
+
+/// Whether a region is all that holds the body. Then it is also all that presses it: what a probe pressed would turn
+/// with the body.
+void find_out_who_is_alone(const BodySpec& spec, const Body& body, std::vector<Probe>& probes) {
+  const auto regions =
+      std::ranges::count_if(probes, [](const Probe& probe) { return probe.region != nullptr; });
+  if (!body.fixed.empty() || regions > 1) return;
+  if (regions == 0)
+    refuse_key(
+        fmt::format("bodies.{}", spec.name),
+        "nothing holds it: fixed is missing, and no probe of kind \"region\" holds a part of it; accepted: either");
+  if (probes.size() > 1)
+    refuse_key(
+        fmt::format("bodies.{}", spec.name),
+        fmt::format("only the region that a probe moves holds it, and {} presses it, too; accepted: fixed "
+                    "nodes, or no other probe on it",
+                    std::ranges::find_if(probes, [](const Probe& probe) { return !probe.region; })->name));
+  Region region = *probes.front().region;
+  region.alone = true;
+  probes.front().region = std::make_shared<const Region>(std::move(region));
 }
 
 }  // namespace
@@ -92,24 +125,28 @@ CompiledBody compile_body(const BodySpec& spec, const std::vector<const ProbeSpe
   body.mesh = std::make_shared<const TetMesh>(read_placed(spec));
   body.surface = std::make_shared<const Surface>(extract_surface(*body.mesh));
   body.materials = materials_of(spec, *body.mesh);
-  body.fixed = select(*body.mesh, *spec.fixed, fmt::format("bodies.{}.fixed", spec.name));
-  const std::vector<int> colliding = colliding_nodes(spec, *body.mesh, *body.surface, body.fixed);
-
-  std::vector<int> touched = colliding;
+  if (spec.fixed) body.fixed = select(*body.mesh, *spec.fixed, fmt::format("bodies.{}.fixed", spec.name));
+  std::vector<int> held = body.fixed, touched;
   for (const ProbeSpec* probe_spec : probes) {
     Probe probe{.name = probe_spec->name};
     place_probe(*probe_spec, *body.mesh, *body.surface, body.fixed, probe);
     refuse_shared_node(*probe_spec, probe, compiled.probes, *body.mesh);
     touched.insert(touched.end(), probe.nodes.begin(), probe.nodes.end());
+    if (probe.region) held.insert(held.end(), probe.region->nodes.begin(), probe.region->nodes.end());
     compiled.probes.push_back(std::move(probe));
   }
+  std::ranges::sort(held);
+  find_out_who_is_alone(spec, body, compiled.probes);
+  const std::vector<int> colliding = colliding_nodes(spec, *body.mesh, *body.surface, held);
+  touched.insert(touched.end(), colliding.begin(), colliding.end());
   std::ranges::sort(touched);
   touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
   refuse_too_many(spec, touched.size());
 
-  body.compliance = unit_compliance(spec, body, touched, cache);
+  body.compliance = unit_compliance(spec, body, held, touched, cache);
   add_polygons(body, colliding);
   for (std::size_t i = 0; i < probes.size(); ++i) finish_probe(*probes[i], body, compiled.probes[i]);
+  finish_regions(body, compiled.probes);
   return compiled;
 }
 

@@ -48,7 +48,8 @@ std::string depth_warning(const Model& model, const Probe& probe, double depth, 
   std::string deeper;
   if (depth > probe.depth * (1 + 1e-9))
     deeper = fmt::format("than the {:.6g} mm of the scene", 1e3 * probe.depth);
-  const FarSide far = far_side(model, probe);
+  const FarSide far =
+      probe.region ? FarSide{.distance = std::numeric_limits<double>::infinity()} : far_side(model, probe);
   if (depth > far.distance && depth > far.distance + given_way(model, probe, far, loads))
     deeper += fmt::format("{}than {} is thick under it ({:.3g} mm)", deeper.empty() ? "" : ", and ",
                           model.bodies[probe.body].name, 1e3 * far.distance);

@@ -10,13 +10,17 @@ SolveReport free_deformation(const Model& model, std::span<PrescribedSolve> solv
     BodyMotion& motion = free.motion[i];
     PrescribedSolve& solve = solves[i];
     const bool was_moved = motion.moved;
-    motion.moved =
-        std::ranges::any_of(model.bodies[i].probes, [&](int probe) { return free.probes[probe].pressing; });
+    motion.moved = std::ranges::any_of(model.bodies[i].probes, [&](int probe) {
+      return free.probes[probe].pressing || !free.probes[probe].region.isZero(0.0);
+    });
     if (!motion.moved) {  // it is where it rests, whatever the cycle before has left
       if (was_moved) motion.displacement.setZero();
       continue;
     }
     motion.displacement.setZero();
+    for (const int probe : model.bodies[i].probes)
+      if (const auto& region = model.probes[probe].region)
+        motion.displacement.noalias() += region->touch_motion * free.probes[probe].region;
     if (!solve.factor(free.probes, {})) return {.stop = Stop::SingularMatrix};
     solve.solve(&free.probes, {});
     solve.add_displacement(motion.displacement);

@@ -45,6 +45,7 @@ PressStep press_step(const Model& model, Simulation& simulation, ProbeDisplaceme
   const std::chrono::duration<double, std::micro> taken = std::chrono::steady_clock::now() - before;
   step.cycle_us = taken.count();
   step.probe_forces.assign(result.probe_forces.begin(), result.probe_forces.end());
+  step.probe_torques.assign(result.probe_torques.begin(), result.probe_torques.end());
   step.pairs.assign(result.pairs.begin(), result.pairs.end());
   step.pairs.resize(model.pairs.size());  // without a law that has anything to do, bodies do nothing
   step.penetration = remaining_overlaps(model, simulation);

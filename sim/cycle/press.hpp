@@ -11,6 +11,7 @@ struct PressStep {
   double depth = 0.0;                       // of the first probe along its direction [m]
   std::vector<ProbeDisplacement> probes{};  // where each is
   std::vector<Vec3> probe_forces{};         // on each finger [N]
+  std::vector<Vec3> probe_torques{};        // on those that hold a region, about its centre [N m]
   std::vector<PairSummary> pairs{};         // in the model's order
   std::vector<double> penetration{};        // of each pair: deepest overlap that remains [m]
   SolveReport solve{};

@@ -4,14 +4,17 @@
 #include <cassert>
 
 #include "sim/cycle/free_deformation.hpp"
+#include "sim/cycle/region_force.hpp"
 #include "sim/probe/probes.hpp"
 
 namespace palpate::sim {
 
 Simulation::Simulation(const Model& model)
     : model_(&model), law_(model.law->prepare(model)), memory_(law_ ? model.law->memory_size(model) : 0) {
-  free_.probes.resize(model.probes.size());
+  free_.probes = probe_rows(model);
   response_.probe_forces.resize(model.probes.size(), Vec3(Vec3::Zero()));
+  response_.probe_torques.resize(model.probes.size(), Vec3(Vec3::Zero()));
+  response_.loads.held.resize(model.probes.size(), RegionMotion(RegionMotion::Zero()));
   free_.motion.reserve(model.bodies.size());
   free_solves_.reserve(model.bodies.size());
   for (int i = 0; i < std::ssize(model.bodies); ++i) {
@@ -29,8 +32,7 @@ void Simulation::reset() {
 }
 
 Eigen::VectorXd Simulation::displacement(int body) const {
-  const Body& moved = model_->bodies[body];
-  return 1.0 / moved.young_modulus * (moved.compliance->touch_touch * response_.loads.on_body[body]);
+  return sim::displacement(*model_, body, response_.loads);
 }
 
 FreeMotion Simulation::motion() const {
@@ -43,7 +45,15 @@ FreeMotion Simulation::motion() const {
 void Simulation::clear_response() {
   for (Eigen::VectorXd& forces : response_.loads.on_body) forces.setZero();
   std::ranges::fill(response_.probe_forces, Vec3(Vec3::Zero()));
+  std::ranges::fill(response_.probe_torques, Vec3(Vec3::Zero()));
+  std::ranges::fill(response_.loads.held, RegionMotion(RegionMotion::Zero()));
   if (law_) std::ranges::fill(law_->summaries, PairSummary{});
+}
+
+/// A region takes what holds the body still under its loads, and what it takes to move the regions.
+void Simulation::add_region_forces() {
+  for (int probe = 0; probe < std::ssize(model_->probes); ++probe)
+    if (model_->probes[probe].region) add_region_force(*model_, probe, response_);
 }
 
 SolveReport Simulation::solve(ProbeDisplacements probes) {
@@ -52,9 +62,11 @@ SolveReport Simulation::solve(ProbeDisplacements probes) {
       }))
     return {.stop = Stop::NotFinite};
   prescribe(*model_, probes, free_.probes);
+  for (std::size_t i = 0; i < free_.probes.size(); ++i) response_.loads.held[i] = free_.probes[i].region;
   SolveReport report = free_deformation(*model_, free_solves_, free_, response_);
   if (report.stop == Stop::Converged && law_)
     report = model_->law->solve(*model_, free_, memory_, *law_, response_);
+  add_region_forces();
   const auto finite = [](const Vec3& force) { return force.allFinite(); };
   if (solved(report.stop) && !std::ranges::all_of(response_.probe_forces, finite))
     report.stop = Stop::NotFinite;
@@ -70,7 +82,9 @@ CycleResult Simulation::step(ProbeDisplacements probes, double dt) {
   else if (!memory_.empty())
     model_->law->advance(*model_, *law_, dt, memory_);
   for (Vec3& force : response_.probe_forces) force = -force;  // the body's reaction on the finger
-  CycleResult result{.probe_forces = response_.probe_forces, .solve = report};
+  for (Vec3& torque : response_.probe_torques) torque = -torque;
+  CycleResult result{
+      .probe_forces = response_.probe_forces, .probe_torques = response_.probe_torques, .solve = report};
   if (law_) result.pairs = law_->summaries;
   return result;
 }

@@ -18,8 +18,9 @@ constexpr double kCyclePeriod = 1e-3;
 
 /// Force and contacts of one cycle. Spans point into the simulation and hold until its next cycle.
 struct CycleResult {
-  std::span<const Vec3> probe_forces{};  // what each finger feels: the body's reaction on it [N]
-  std::span<const PairSummary> pairs{};  // in the model's order; empty where no law has anything to do
+  std::span<const Vec3> probe_forces{};   // what each finger feels: the body's reaction on it [N]
+  std::span<const Vec3> probe_torques{};  // likewise of those that hold a region, about its centre [N m]
+  std::span<const PairSummary> pairs{};   // in the model's order; empty where no law has anything to do
   SolveReport solve{};
 };
 
@@ -52,6 +53,7 @@ class Simulation {
 
  private:
   SolveReport solve(ProbeDisplacements probes);
+  void add_region_forces();
   void clear_response();
 
   const Model* model_;

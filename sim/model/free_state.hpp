@@ -1,10 +1,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <span>
 #include <vector>
 
 #include "sim/mesh/tet_mesh.hpp"
+#include "sim/model/model.hpp"
 
 namespace palpate::sim {
 
@@ -21,8 +23,24 @@ using ProbeDisplacements = std::span<const ProbeDisplacement>;  // one a probe, 
 struct ProbeRow {
   bool pressing = false;
   Vec3 value = Vec3::Zero();  // [m], one entry an axis: 3 when held, 1 when free
+
+  // Of a probe that slides, where it is now, between three knots.
+  std::array<int, 3> knots{};
+  Vec3 shares = Vec3::Zero();    // of them, sum 1
+  Eigen::VectorXd weights{};     // in place of the probe's own
+  Eigen::MatrixXd compliance{};  // likewise
+
+  RegionMotion region = RegionMotion::Zero();  // of a probe that holds a region
 };
 using ProbeRows = std::vector<ProbeRow>;  // one a probe
+
+inline std::span<const double> weights_of(const Probe& probe, const ProbeRow& row) {
+  if (probe.slide.knots.empty()) return probe.weights;
+  return {row.weights.data(), static_cast<std::size_t>(row.weights.size())};
+}
+inline const Eigen::MatrixXd& compliance_of(const Probe& probe, const ProbeRow& row) {
+  return probe.slide.knots.empty() ? probe.compliance : row.compliance;
+}
 
 /// How the touchable nodes of a body have moved before the bodies act on each other.
 struct BodyMotion {

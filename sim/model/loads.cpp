@@ -1,14 +1,81 @@
 #include "sim/model/loads.hpp"
 
+#include <algorithm>
+
 #include "sim/elasticity/static_solve.hpp"
 #include "sim/elasticity/stiffness.hpp"
 
 namespace palpate::sim {
 
-Eigen::VectorXf deform(const Model& model, int body, const Loads& loads) {
-  const Eigen::VectorXd unit_loads = loads.on_body[body] / model.bodies[body].young_modulus;
-  return model.bodies[body].compliance->drawn_touch * unit_loads.cast<float>();
+namespace {
+
+/// Every node's vector turned.
+template <class Vector>
+auto turned(const Eigen::Matrix3d& turn, const Vector& vectors) {
+  using Scalar = typename Vector::Scalar;
+  return Eigen::Vector<Scalar, Eigen::Dynamic>(
+      (turn.cast<Scalar>() * vectors.reshaped(3, vectors.size() / 3)).reshaped());
 }
+
+}  // namespace
+
+Eigen::Matrix3d turn_of(const Model& model, int body, const Loads& loads) {
+  for (const int probe : model.bodies[body].probes)
+    if (const auto& region = model.probes[probe].region; region && region->alone)
+      return rotation_of(loads.held[probe]);
+  return Eigen::Matrix3d::Identity();
+}
+
+Eigen::VectorXd displacement(const Model& model, int index, const Loads& loads) {
+  const Body& body = model.bodies[index];
+  const Eigen::Matrix3d turn = turn_of(model, index, loads);
+  const Eigen::VectorXd unit_loads =
+      turned(turn.transpose(), Eigen::VectorXd(loads.on_body[index] / body.young_modulus));
+  Eigen::VectorXd u = turned(turn, Eigen::VectorXd(body.compliance->touch_touch * unit_loads));
+  for (const int probe : body.probes)
+    if (model.probes[probe].region) u += model.probes[probe].region->touch_motion * loads.held[probe];
+  return u;
+}
+
+Eigen::VectorXf deform(const Model& model, int index, const Loads& loads) {
+  const Body& body = model.bodies[index];
+  const Eigen::Matrix3d turn = turn_of(model, index, loads);
+  const Eigen::VectorXf unit_loads =
+      turned(turn.transpose(), Eigen::VectorXd(loads.on_body[index] / body.young_modulus)).cast<float>();
+  Eigen::VectorXf u = turned(turn, Eigen::VectorXf(body.compliance->drawn_touch * unit_loads));
+  for (const int probe : body.probes)
+    if (model.probes[probe].region)
+      u += model.probes[probe].region->drawn_motion * loads.held[probe].cast<float>();
+  return u;
+}
+
+namespace {
+
+/// Nodes that a body's supports prescribe, and where they have moved to.
+struct Supported {
+  std::vector<int> nodes{};         // ascending
+  Eigen::Matrix3Xd displacement{};  // of every node of the mesh, 0 of the others
+  bool as_a_whole = false;          // every node goes with them, and that takes no force
+};
+
+Supported supported(const Model& model, const Body& body, const Loads& loads) {
+  Supported all{.nodes = body.fixed};
+  all.displacement.setZero(3, std::ssize(body.mesh->nodes));
+  for (const int probe : body.probes) {
+    const auto& region = model.probes[probe].region;
+    if (!region) continue;
+    all.nodes.insert(all.nodes.end(), region->nodes.begin(), region->nodes.end());
+    all.as_a_whole |= region->alone;
+    for (int node = 0; node < std::ssize(body.mesh->nodes); ++node)
+      if (region->alone || std::ranges::binary_search(region->nodes, node))
+        all.displacement.col(node) =
+            motion_at(body.mesh->nodes[node] - model.probes[probe].at) * loads.held[probe];
+  }
+  std::ranges::sort(all.nodes);
+  return all;
+}
+
+}  // namespace
 
 std::vector<WholeBody> whole_bodies(const Model& model, const Loads& loads) {
   std::vector<WholeBody> bodies;
@@ -22,7 +89,12 @@ std::vector<WholeBody> whole_bodies(const Model& model, const Loads& loads) {
       whole.force.col(node) = loads.on_body[i].segment<3>(entry);
       entry += 3;
     }
-    whole.displacement = static_solve(stiffness(*body.mesh, body.materials), body.fixed, whole.force);
+    const Eigen::Matrix3d turn = turn_of(model, static_cast<int>(i), loads);
+    const Supported supports = supported(model, body, loads);
+    const Eigen::SparseMatrix<double> K = stiffness(*body.mesh, body.materials);
+    Eigen::Matrix3Xd force = turn.transpose() * whole.force;
+    if (!supports.as_a_whole) force -= (K * supports.displacement.reshaped()).reshaped(3, force.cols());
+    whole.displacement = turn * static_solve(K, supports.nodes, force) + supports.displacement;
   }
   return bodies;
 }

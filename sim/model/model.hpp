@@ -10,6 +10,7 @@
 #include "sim/elasticity/stiffness.hpp"
 #include "sim/mesh/surface.hpp"
 #include "sim/mesh/tet_mesh.hpp"
+#include "sim/model/region.hpp"
 #include "sim/scene/scene.hpp"
 #include "sim/surface/aabb_tree.hpp"
 #include "sim/surface/touch_surface.hpp"
@@ -26,7 +27,7 @@ struct Body {
   std::shared_ptr<const TetMesh> mesh{};           // at rest, placed in the scene [m]
   std::shared_ptr<const Surface> surface{};        // its whole boundary, for pictures
   std::vector<Material> materials{};               // as stiffness() takes them
-  std::vector<int> fixed{};                        // mesh nodes
+  std::vector<int> fixed{};                        // mesh nodes that never move
   double young_modulus = 0.0;                      // E [Pa]
   std::shared_ptr<const Compliance> compliance{};  // of the same body with E = 1 Pa: u = C f / E
   std::vector<int> touch_of_node{};    // touch index of each mesh node, -1 where it cannot be touched
@@ -35,6 +36,20 @@ struct Body {
   std::vector<int> colliding_nodes{};  // touch indices of the polygons' nodes, ascending
   AabbTree tree{};                     // over the polygons at rest
   std::vector<int> probes{};           // those that press this body, by index into Model::probes
+};
+
+/// A place that a probe may slide to, at a node of the surface: how it would hold its nodes there.
+struct Knot {
+  Vec3 place = Vec3::Zero();     // at rest [m]
+  Eigen::VectorXd weights{};     // of the probe's nodes, sum 1
+  Eigen::MatrixXd compliance{};  // as Probe::compliance
+};
+
+/// The surface over which a probe slides; no knots: it stays where it is.
+struct Slide {
+  Vec3 start = Vec3::Zero();  // where the probe rests [m]
+  std::vector<Knot> knots{};
+  std::vector<Triangle> triangles{};  // between knots, those that face the probe
 };
 
 /// What presses: holds the weighted mean of its nodes, and spreads its force with the same weights. While it
@@ -52,6 +67,9 @@ struct Probe {
   Eigen::Matrix3Xd axes{};        // prescribed directions as columns: 3 (held) or 1 (free)
   Eigen::MatrixXd compliance{};   // displacement of the touchable nodes per newton along each axis, for
                                   // E = 1 Pa, 3t x rows [m/N]
+  Slide slide{};
+  std::shared_ptr<const Region>
+      region{};  // of a kind that holds one: then no nodes and no axes, and `at` is the centre
 };
 
 struct TouchPair {

@@ -18,6 +18,20 @@ struct FacingPair {
   double gap = 0.0;             // at rest [m], >= 0 but for rounding
 };
 
+/// Where a body's rest has been brought: R x + shift.
+struct RigidPose {
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  Vec3 shift = Vec3::Zero();
+};
+
+/// On which side of the surface that it faces a node is.
+enum class Faces { Nothing, Front, Back };
+
+/// Finds what the node of a pair faces of the other body's surface, no farther than `within`: sets corners, weights,
+/// normal and gap, in the frame of the polygons' body; the gap is negative at the back.
+/// @param pose  of the nodes' body, as that of the polygons sees it
+Faces face(const Body& nodes, const Body& polygons, const RigidPose& pose, double within, FacingPair& pair);
+
 /// Every node that can collide, of the bodies of each pair whose nodes meet polygons (TouchPair::meets), with the place that it faces. Nodes are left out whose
 /// own surface looks away from that place (the far side of a body), that lie behind it (beyond the body's wall), or that face the rim of a touchable patch, beyond
 /// which the surface is not known. Order: touch pairs as in the model; the nodes of the first body, then of the

@@ -9,6 +9,7 @@
 
 #include "sim/probe/pad/pad.hpp"
 #include "sim/probe/point/point.hpp"
+#include "sim/probe/region/region.hpp"
 #include "sim/scene/accepted.hpp"
 
 namespace palpate::sim {
@@ -17,8 +18,9 @@ namespace {
 constexpr std::array kKinds{
     &kPoint,
     &kPad,
+    &kRegion,
 };
-constexpr std::array<std::string_view, 2> kLaterKinds{"fingertip", "region"};
+constexpr std::array<std::string_view, 1> kLaterKinds{"fingertip"};
 
 }  // namespace
 

@@ -27,6 +27,8 @@ struct ProbeKindKeys {
   std::string_view name{};     // as probes.NAME.kind says it
   std::string_view meaning{};  // what it presses with, a clause, for the reference
   bool takes_radius = false;   // true: radius is required; false: refused
+  bool takes_reach = false;    // true: reach is accepted
+  bool takes_group = false;    // true: group is required, in place of at and node; false: refused
 };
 
 /// Every kind. Defined in sim/probe/kinds.cpp.

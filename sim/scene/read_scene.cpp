@@ -20,7 +20,6 @@ namespace {
 
 // Keys of later versions, beside those that call for an effect (EffectKey).
 constexpr std::array<std::string_view, 2> kLaterRegionKeys{"relaxation", "volumetric"};
-constexpr std::array<std::string_view, 1> kLaterProbeKeys{"group"};
 
 Vec3 to_vec3(const base::Triple& values) {
   return Vec3(values.data());
@@ -142,7 +141,7 @@ BodySpec read_body(base::TomlReader reader, const std::string& name, const std::
     for (const std::string& region : regions.keys())
       body.regions[region] = read_region(regions.table(region, region_keys()), body.material.poisson_ratio);
   }
-  body.fixed = read_selection(reader, "fixed");
+  if (reader.has("fixed")) body.fixed = read_selection(reader, "fixed");
   if (reader.has("touchable")) body.touchable = read_selection(reader, "touchable");
   body.scale = reader.number("scale");
   body.rotate = to_vec3(reader.three_quantities("rotate"));
@@ -197,28 +196,35 @@ ContactSpec read_contact(base::TomlReader reader) {
   return contact;
 }
 
-/// A radius where the probe's kind takes one.
-double read_radius(base::TomlReader& reader, const std::string& kind_name) {
+const ProbeKindKeys& keys_of_kind(const std::string& name) {
   const std::span<const ProbeKindKeys> kinds = probe_kind_keys();
-  const ProbeKindKeys& kind = *std::ranges::find(kinds, kind_name, &ProbeKindKeys::name);
-  const bool given = reader.has("radius");
-  if (kind.takes_radius && given) return reader.quantity("radius");
-  if (!kind.takes_radius && !given) return 0.0;
-  if (kind.takes_radius)
-    reader.refuse("radius", fmt::format("a {} needs a radius > 0, such as \"6 mm\"", kind.name));
-  std::vector<std::string_view> with_radius;
-  for (const ProbeKindKeys& other : kinds)
-    if (other.takes_radius) with_radius.push_back(other.name);
-  reader.refuse("radius", fmt::format("a {} has no radius; kind = \"{}\" has one", kind.name,
-                                      fmt::join(with_radius, "\" or \"")));
+  return *std::ranges::find(kinds, name, &ProbeKindKeys::name);
 }
 
-ProbeSpec read_probe(base::TomlReader reader, const std::string& name) {
-  ProbeSpec probe{.name = name};
-  probe.body = reader.text("body");
-  probe.kind = reader.word("kind");
-  reader.refuse_later(kLaterProbeKeys);
-  const bool has_node = reader.has("node"), has_place = reader.has("at");
+/// The kinds that take a key: `pad" or "fingertip`.
+std::string kinds_with(bool ProbeKindKeys::*takes) {
+  std::vector<std::string_view> names;
+  for (const ProbeKindKeys& kind : probe_kind_keys())
+    if (kind.*takes) names.push_back(kind.name);
+  return fmt::format("{}", fmt::join(names, "\" or \""));
+}
+
+/// Where the probe is: a group for those that hold one, a node or a place for the others.
+void read_place(base::TomlReader& reader, ProbeSpec& probe) {
+  const bool has_node = reader.has("node"), has_place = reader.has("at"), has_group = reader.has("group");
+  if (keys_of_kind(probe.kind).takes_group) {
+    if (!has_group || has_node || has_place)
+      reader.refuse(
+          has_group ? (has_node ? "node" : "at") : "group",
+          fmt::format("a {} holds a named group of the mesh; accepted: group = \"NAME\" in place of at and "
+                      "node",
+                      probe.kind));
+    probe.group = reader.text("group");
+    return;
+  }
+  if (has_group)
+    reader.refuse("group", fmt::format("a {} holds no group; accepted: at or node, or kind = \"{}\"",
+                                       probe.kind, kinds_with(&ProbeKindKeys::takes_group)));
   if (has_node == has_place)
     reader.refuse("at",
                   "exactly one of at (a place) and node (a node's number in the mesh file) is accepted");
@@ -226,12 +232,38 @@ ProbeSpec read_probe(base::TomlReader reader, const std::string& name) {
     probe.at = reader.whole("node");
   else
     probe.at = to_vec3(reader.three_quantities("at"));
+}
+
+/// A radius where the probe's kind takes one.
+double read_radius(base::TomlReader& reader, const std::string& kind_name) {
+  const ProbeKindKeys& kind = keys_of_kind(kind_name);
+  const bool given = reader.has("radius");
+  if (kind.takes_radius && given) return reader.quantity("radius");
+  if (!kind.takes_radius && !given) return 0.0;
+  if (kind.takes_radius)
+    reader.refuse("radius", fmt::format("a {} needs a radius > 0, such as \"6 mm\"", kind.name));
+  reader.refuse("radius", fmt::format("a {} has no radius; kind = \"{}\" has one", kind.name,
+                                      kinds_with(&ProbeKindKeys::takes_radius)));
+}
+
+ProbeSpec read_probe(base::TomlReader reader, const std::string& name) {
+  ProbeSpec probe{.name = name};
+  probe.body = reader.text("body");
+  probe.kind = reader.word("kind");
+  read_place(reader, probe);
   probe.direction = to_vec3(reader.three_numbers("direction"));
   if (!probe.direction.allFinite() || probe.direction.stableNorm() == 0.0)
     reader.refuse("direction", "has no length; accepted: three numbers, not all 0");
   probe.direction.stableNormalize();
   probe.depth = reader.quantity("depth");
   probe.radius = read_radius(reader, probe.kind);
+  if (reader.has("reach")) {
+    if (!keys_of_kind(probe.kind).takes_reach)
+      reader.refuse("reach",
+                    fmt::format("a {} does not slide; accepted: the scene without it, or kind = \"{}\"",
+                                probe.kind, kinds_with(&ProbeKindKeys::takes_reach)));
+    probe.reach = reader.quantity("reach");
+  }
   probe.tangential = reader.word("tangential", kTangentialWords);
   reader.refuse_unknown();
   return probe;

@@ -75,6 +75,8 @@ struct ProbeSpec {
   Vec3 direction = Vec3::UnitZ();  // of the press, unit length
   double depth = 0.0;              // default depth of a press [m]
   double radius = 0.0;             // of a pad [m]
+  double reach = 0.0;              // how far it slides across its direction [m]; 0: it stays at its place
+  std::string group{};             // of a region: the nodes that it holds
   Tangential tangential = Tangential::Held;
 
   bool operator==(const ProbeSpec&) const = default;

@@ -61,9 +61,11 @@ constexpr std::array kBodyKeys{
     Key{.name = "fixed",
         .takes = base::takes_other(kSelection),
         .example = "\"fixed\"",
+        .absent = "a region that a probe holds is what holds the body",
         .meaning =
             "The nodes that cannot move: a named group of the mesh, node numbers as in the mesh file, or "
-            "all nodes within a box. Without enough of them the body would float away, which is refused."},
+            "all nodes within a box. Without enough of them the body would float away, which is refused.",
+        .in_use = true},
     Key{.name = "touchable",
         .takes = base::takes_other(kSelection),
         .example = "\"contact\"",
@@ -162,16 +164,31 @@ constexpr std::array kProbeKeys{
         .absent = "the kind has none",
         .meaning = "The radius of a kind that has one.",
         .along = "kind = \"pad\""},
+    Key{.name = "reach",
+        .takes = base::takes_quantity(Dimension::Length, base::kPositive),
+        .example = "\"20 mm\"",
+        .absent = "it stays at its place, and what it holds goes along with it",
+        .meaning =
+            "How far it slides over the surface, across its direction. `palpate press --path` sets it to what "
+            "the path needs.",
+        .along = "kind = \"pad\""},
+    Key{.name = "group",
+        .takes = base::kText,
+        .example = "\"cap\"",
+        .absent = "`at` or `node` says where",
+        .meaning = "The named group of the mesh that a region holds and moves as one.",
+        .along = "kind = \"region\"",
+        .instead_of = "at"},
     Key{.name = "at",
         .takes = base::takes_three(Dimension::Length),
         .example = "[\"0 mm\", \"0 mm\", \"12 mm\"]",
-        .absent = "`node` says where",
+        .absent = "`node` or `group` says where",
         .meaning = "Where it presses: the node of the body's free surface that is nearest to this place.",
         .in_use = true},
     Key{.name = "node",
         .takes = base::takes_whole(-kAny, kAny),
         .example = "5",
-        .absent = "`at` says where",
+        .absent = "`at` or `group` says where",
         .meaning = "In place of `at`: a node's number in the mesh file.",
         .instead_of = "at"},
     Key{.name = "direction",
@@ -204,7 +221,7 @@ std::vector<Key> with_effects(const std::array<Key, count>& keys, std::string_vi
 
 std::vector<std::string> later_keys() {
   std::vector<std::string> later{"bodies.NAME.regions.GROUP.relaxation",
-                                 "bodies.NAME.regions.GROUP.volumetric", "probes.NAME.group"};
+                                 "bodies.NAME.regions.GROUP.volumetric"};
   for (const EffectKey& effect : effect_keys())
     if (!effect.read)
       later.push_back(

@@ -28,6 +28,11 @@ DrawnBody drawn_body(const Model& model, int index, const Loads& loads) {
     drawn.positions.col(moved) += u.segment<3>(entry);
     entry += 3;
   }
+  for (const int probe : body.probes)
+    if (const auto& region = model.probes[probe].region)
+      for (const int moved : region->nodes)
+        drawn.positions.col(moved) +=
+            (motion_at(body.mesh->nodes[moved] - model.probes[probe].at) * loads.held[probe]).cast<float>();
   drawn.colour = kTissues[index % std::ssize(kTissues)];
   drawn.opacity = !body.probes.empty() && model.bodies.size() > 1 ? kTranslucent : 1.0F;
   return drawn;
@@ -42,13 +47,15 @@ Picture picture_of(const Model& model, const Stage& stage, const Loads& loads, P
     picture.bodies.push_back(drawn_body(model, body, loads));
   for (std::size_t i = 0; i < model.probes.size(); ++i) {
     const Probe& probe = model.probes[i];
+    if (probe.region) continue;  // what it holds is seen to move
     const ProbeShape& shape = stage.probes[i];
-    picture.probes.push_back({.touch = probe.at + probes[i].from_rest,
-                              .direction = probe.direction,
-                              .shaft = shape.shaft,
-                              .radius = shape.radius,
-                              .length = shape.length,
-                              .colour = probe.nodes.size() == 1 ? kSteel : kSkin});
+    picture.probes.push_back(
+        {.touch = (probe.slide.knots.empty() ? probe.at : probe.slide.start) + probes[i].from_rest,
+         .direction = probe.direction,
+         .shaft = shape.shaft,
+         .radius = shape.radius,
+         .length = shape.length,
+         .colour = probe.nodes.size() == 1 ? kSteel : kSkin});
   }
   return picture;
 }

@@ -102,6 +102,7 @@ double choose_shaft(const Model& model, const Probe& probe, const Vec3& end, dou
 }
 
 ProbeShape shape_of(const Model& model, const Probe& probe, const Bounds& bounds) {
+  if (probe.region) return {.shaft = -probe.direction, .radius = 0.0, .length = 0.0};
   const double diagonal = bounds.diagonal(), skin = 1e-3 * diagonal;
   const double behind = room(model, probe.at - skin * probe.direction, -probe.direction);
   ProbeShape shape;

@@ -67,7 +67,9 @@ void press_scene(const PressOptions& options, std::optional<double> depth) {
 
 void stroke_scene(const PressOptions& options) {
   sim::ComplianceCache cache = user_cache();
-  const sim::Model model = sim::compile(load_scene(options.scene), cache);
+  sim::Scene scene = load_scene(options.scene);
+  let_reach(scene, options.path);
+  const sim::Model model = sim::compile(scene, cache);
   const sim::Stroke stroke = sim::stroke(model, read_stroke(model, options.path));
   sim::require_solved(stroke);
   for (const std::string& warning : stroke_warnings(model, stroke))

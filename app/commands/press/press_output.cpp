@@ -31,10 +31,12 @@ ordered_json bodies_json(const sim::Model& model) {
 
 ordered_json step_json(const sim::Model& model, const sim::PressStep& step) {
   ordered_json probes, pairs = ordered_json::array();
-  for (std::size_t i = 0; i < model.probes.size(); ++i)
-    probes[model.probes[i].name] = {
-        {"force", vector_json(step.probe_forces[i])},
-        {"normal_force", sim::normal_force(model.probes[i], step.probe_forces[i])}};
+  for (std::size_t i = 0; i < model.probes.size(); ++i) {
+    ordered_json& probe = probes[model.probes[i].name];
+    probe = {{"force", vector_json(step.probe_forces[i])},
+             {"normal_force", sim::normal_force(model.probes[i], step.probe_forces[i])}};
+    if (model.probes[i].region) probe["torque"] = vector_json(step.probe_torques[i]);
+  }
   for (std::size_t i = 0; i < model.pairs.size(); ++i) {
     const auto [a, b] = model.pairs[i].bodies;
     const std::string& first = model.bodies[a].name;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <stdexcept>
 
@@ -11,6 +12,7 @@
 #include "sim/cycle/depth_warnings.hpp"
 #include "sim/model/probe_kind.hpp"
 #include "sim/probe/kinds.hpp"
+#include "sim/scene/accepted.hpp"
 
 namespace palpate::app {
 namespace {
@@ -48,6 +50,17 @@ std::size_t probe_of(const sim::Model& model, const ProbePath& path, const std::
 }
 
 }  // namespace
+
+void let_reach(sim::Scene& scene, const std::string& file) {
+  for (const ProbePath& path : devices::parse_path(base::read_file(file, "a path (.csv)"), file)) {
+    const auto probe = std::ranges::find(scene.probes, path.probe, &sim::ProbeSpec::name);
+    if (probe == scene.probes.end() || probe->reach > 0.0) continue;
+    const auto kinds = sim::probe_kind_keys();
+    if (!std::ranges::find(kinds, probe->kind, &sim::ProbeKindKeys::name)->takes_reach) continue;
+    for (const sim::Vec3& place : path.places)
+      probe->reach = std::max(probe->reach, place.cross(probe->direction).norm());
+  }
+}
 
 std::vector<sim::StrokePose> read_stroke(const sim::Model& model, const std::string& file) {
   const std::vector<ProbePath> paths = devices::parse_path(base::read_file(file, "a path (.csv)"), file);

@@ -8,6 +8,9 @@
 
 namespace palpate::app {
 
+/// Probes of a kind that slides get the reach that a path needs, where the scene gives them none.
+void let_reach(sim::Scene& scene, const std::string& file);
+
 /// The poses of a path file (devices/scripted/path.hpp), a row each; a probe that has no columns stays where it
 /// rests. Throws std::invalid_argument, "FILE:LINE: column: what was found; what is accepted", for what is no path,
 /// a probe that the scene does not have, and a rotation of one that does not turn.

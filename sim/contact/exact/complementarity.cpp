@@ -31,7 +31,10 @@ void ComplementaritySolve::reset() {
 
 /// Puts the rows that hold before the contacts of the last solve.
 void ComplementaritySolve::hold(std::span<const char> holds) {
-  if (std::ranges::equal(holds, std::span(is_active_).first(holds.size())) && !factor_.rows().empty()) return;
+  if (!changed_ && std::ranges::equal(holds, std::span(is_active_).first(holds.size())) &&
+      !factor_.rows().empty())
+    return;
+  changed_ = false;
   kept_.clear();
   for (const int row : factor_.rows())
     if (row >= system_->bilateral) kept_.push_back(row);

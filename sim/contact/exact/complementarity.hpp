@@ -55,6 +55,9 @@ class ComplementaritySolve {
   void solve_bilateral(std::span<double> values) const { factor_.solve_leading(values, holding_); }
   std::size_t holding() const { return holding_; }
 
+  /// The system's matrix is another one than at the last solve.
+  void changed() { changed_ = true; }
+
   /// Forgets the last solve's set.
   void reset();
 
@@ -69,6 +72,7 @@ class ComplementaritySolve {
   UpdatedFactor factor_;
   ForceBound bound_;
   std::size_t holding_ = 0;
+  bool changed_ = false;
   std::vector<char> is_active_;  // of each row
   std::vector<int> wrong_;       // rows whose sign is wrong, ascending
   std::vector<int> kept_;

@@ -1,45 +1,23 @@
 #include "sim/contact/exact/contact_system.hpp"
 
+#include <numeric>
 #include <vector>
 
+#include "sim/contact/exact/coupling.hpp"
+#include "sim/probe/probes.hpp"
+
 namespace palpate::sim {
-namespace {
-
-/// What a row of the system measures of one body: weights on its touchable unknowns (J^T of one row).
-struct RowOnBody {
-  int row = 0;
-  std::vector<int> nodes{};
-  std::vector<Vec3> weights{};
-};
-
-double measure(const RowOnBody& row, Eigen::Ref<const Eigen::VectorXd> displacement) {
+double opened_by(const FacingPair& pair, int body, Eigen::Ref<const Eigen::VectorXd> motion) {
   double sum = 0.0;
-  for (std::size_t i = 0; i < row.nodes.size(); ++i)
-    sum += row.weights[i].dot(displacement.segment<3>(3 * row.nodes[i]));
+  if (pair.node_body == body) sum += pair.normal.dot(motion.segment<3>(3 * pair.node));
+  if (pair.polygon_body == body)
+    for (std::size_t k = 0; k < 3; ++k)
+      sum -= pair.weights[static_cast<Eigen::Index>(k)] *
+             pair.normal.dot(motion.segment<3>(3 * pair.corners[k]));
   return sum;
 }
 
-std::vector<RowOnBody> rows_on_body(const Model& model, int body, std::span<const FacingPair> pairs) {
-  std::vector<RowOnBody> rows;
-  int row = 0;
-  for (const Probe& probe : model.probes)
-    for (Eigen::Index axis = 0; axis < probe.axes.cols(); ++axis, ++row) {
-      if (probe.body != body) continue;
-      RowOnBody held{.row = row, .nodes = probe.nodes};
-      for (const double weight : probe.weights) held.weights.emplace_back(weight * probe.axes.col(axis));
-      rows.push_back(std::move(held));
-    }
-  for (const FacingPair& pair : pairs) {
-    if (pair.node_body == body) rows.push_back({row, {pair.node}, {pair.normal}});
-    if (pair.polygon_body == body) {
-      RowOnBody polygon{.row = row, .nodes = {pair.corners.begin(), pair.corners.end()}};
-      for (const double weight : pair.weights) polygon.weights.emplace_back(-weight * pair.normal);
-      rows.push_back(std::move(polygon));
-    }
-    ++row;
-  }
-  return rows;
-}
+namespace {
 
 std::vector<Eigen::Index> first_rows_of_probes(const Model& model) {
   std::vector<Eigen::Index> first{0};
@@ -47,32 +25,90 @@ std::vector<Eigen::Index> first_rows_of_probes(const Model& model) {
   return first;
 }
 
-/// J C J^T / E of one body.
-void add_body(const Model& model, int index, std::span<const FacingPair> pairs, Eigen::MatrixXd& compliance) {
-  const Body& body = model.bodies[index];
-  const std::vector<RowOnBody> rows = rows_on_body(model, index, pairs);
-  Eigen::VectorXd moved(body.compliance->touch_touch.rows());
-  for (const RowOnBody& from : rows) {
-    moved.setZero();
-    for (std::size_t i = 0; i < from.nodes.size(); ++i)
-      for (int k = 0; k < 3; ++k)
-        moved +=
-            from.weights[i][k] / body.young_modulus * body.compliance->touch_touch.col(3 * from.nodes[i] + k);
-    for (const RowOnBody& to : rows) compliance(to.row, from.row) += measure(to, moved);
+/// What the nodes of a probe measure of a motion of its body's touchable nodes along its axes.
+double measured(const Probe& probe, std::span<const double> weights, Eigen::Index axis,
+                Eigen::Ref<const Eigen::VectorXd> motion) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < probe.nodes.size(); ++i)
+    sum += weights[i] * probe.axes.col(axis).dot(motion.segment<3>(3 * probe.nodes[i]));
+  return sum;
+}
+
+/// A contact's row with those of the probes, and what it takes off the regions.
+void fill_with_probes(const Model& model, const ProbeRows& probes, const FacingPair& pair, Eigen::Index row,
+                      ContactSystem& system) {
+  for (std::size_t p = 0; p < model.probes.size(); ++p) {
+    const Probe& probe = model.probes[p];
+    if (probe.axes.cols() == 0 || (probe.body != pair.node_body && probe.body != pair.polygon_body)) continue;
+    const Eigen::MatrixXd& compliance = compliance_of(probe, probes[p]);
+    for (Eigen::Index axis = 0; axis < probe.axes.cols(); ++axis) {
+      const Eigen::Index column = system.first_of_probe[p] + axis;
+      system.compliance(row, column) = system.compliance(column, row) =
+          opened_by(pair, probe.body, compliance.col(axis)) / model.bodies[probe.body].young_modulus;
+    }
+  }
+  for (RegionPull& region : system.regions) {
+    const Probe& probe = model.probes[region.probe];
+    for (Eigen::Index component = 0; component < 3; ++component)
+      region.rows(row, component) = opened_by(pair, probe.body, probe.region->touch_motion.col(component));
   }
 }
 
 }  // namespace
 
-ContactSystem contact_system(const Model& model, std::span<const FacingPair> pairs) {
+void fill_probes(const Model& model, const ProbeRows& probes, ContactSystem& system) {
+  for (const Body& body : model.bodies)
+    for (const int pressing : body.probes)
+      for (Eigen::Index from = 0; from < model.probes[pressing].axes.cols(); ++from) {
+        const auto motion = compliance_of(model.probes[pressing], probes[pressing]).col(from);
+        for (const int measuring : body.probes)
+          for (Eigen::Index to = 0; to < model.probes[measuring].axes.cols(); ++to)
+            system.compliance(system.first_of_probe[measuring] + to, system.first_of_probe[pressing] + from) =
+                measured(model.probes[measuring], weights_of(model.probes[measuring], probes[measuring]), to,
+                         motion) /
+                body.young_modulus;
+      }
+  for (RegionPull& region : system.regions)
+    for (const int other : model.bodies[model.probes[region.probe].body].probes)
+      for (Eigen::Index axis = 0; axis < model.probes[other].axes.cols(); ++axis)
+        for (Eigen::Index component = 0; component < 3; ++component)
+          region.rows(system.first_of_probe[other] + axis, component) =
+              measured(model.probes[other], weights_of(model.probes[other], probes[other]), axis,
+                       model.probes[region.probe].region->touch_motion.col(component));
+}
+
+ContactSystem empty_system(const Model& model, std::size_t contacts) {
   std::vector<Eigen::Index> first = first_rows_of_probes(model);
-  const Eigen::Index size = first.back() + std::ssize(pairs);
+  const Eigen::Index size = first.back() + static_cast<Eigen::Index>(contacts);
   ContactSystem system{.compliance = Eigen::MatrixXd::Zero(size, size),
                        .bilateral = first.back(),
                        .first_of_probe = std::move(first)};
-  for (int body = 0; body < std::ssize(model.bodies); ++body) add_body(model, body, pairs, system.compliance);
-  const Eigen::MatrixXd transposed = system.compliance.transpose();
-  system.compliance = 0.5 * (system.compliance + transposed);
+  for (int p = 0; p < std::ssize(model.probes); ++p)
+    if (model.probes[p].region) system.regions.push_back({p, Eigen::MatrixXd::Zero(size, 3)});
+  fill_probes(model, probe_rows(model), system);
+  return system;
+}
+
+void fill_contacts(const Model& model, const ProbeRows& probes, std::span<const Eigen::Matrix3d> turns,
+                   std::span<const FacingPair> pairs, std::span<const int> which, std::span<const int> with,
+                   ContactSystem& system) {
+  for (const int i : which) {
+    const Eigen::Index row = system.bilateral + i;
+    fill_with_probes(model, probes, pairs[i], row, system);
+    for (const int j : with) {
+      const Eigen::Index column = system.bilateral + j;
+      system.compliance(row, column) = system.compliance(column, row) =
+          pairs[i].normal.dot(coupling(model, turns, pairs[i], pairs[j]) * pairs[j].normal);
+    }
+  }
+}
+
+ContactSystem contact_system(const Model& model, std::span<const FacingPair> pairs) {
+  ContactSystem system = empty_system(model, pairs.size());
+  std::vector<int> all(pairs.size());
+  std::iota(all.begin(), all.end(), 0);
+  const std::vector<Eigen::Matrix3d> turns(model.bodies.size(), Eigen::Matrix3d::Identity());
+  fill_contacts(model, probe_rows(model), turns, pairs, all, all, system);
   return system;
 }
 

@@ -1,5 +1,7 @@
 #include "sim/contact/exact/exact.hpp"
 
+#include <algorithm>
+
 #include "sim/contact/exact/contact_system.hpp"
 
 namespace palpate::sim {
@@ -33,7 +35,7 @@ void add_contacts(const Model& model, ExactScratch& scratch, Loads& loads) {
 }
 
 /// What the probes push more or less than without contact.
-void add_to_probes(const Model& model, ExactScratch& scratch, Response& response) {
+void add_to_probes(const Model& model, const ProbeRows& probes, ExactScratch& scratch, Response& response) {
   const std::span<const int> rows = scratch.solve.active();
   const std::size_t holding = scratch.solve.holding();
   scratch.given.assign(holding, 0.0);
@@ -45,12 +47,13 @@ void add_to_probes(const Model& model, ExactScratch& scratch, Response& response
   int row = 0;
   for (std::size_t p = 0; p < model.probes.size(); ++p) {
     const Probe& probe = model.probes[p];
+    const std::span<const double> weights = weights_of(probe, probes[p]);
     for (Eigen::Index axis = 0; axis < probe.axes.cols(); ++axis, ++row) {
       if (i == holding || rows[i] != row) continue;
       const Vec3 force = scratch.given[i++] * probe.axes.col(axis);
       response.probe_forces[p] += force;
       for (std::size_t k = 0; k < probe.nodes.size(); ++k)
-        response.loads.on_body[probe.body].segment<3>(3 * probe.nodes[k]) += probe.weights[k] * force;
+        response.loads.on_body[probe.body].segment<3>(3 * probe.nodes[k]) += weights[k] * force;
     }
   }
 }
@@ -61,14 +64,31 @@ Stop stop_of(ComplementarityReport::End end) {
   return end == End::WithinTolerance ? Stop::WithinTolerance : Stop::CapReached;
 }
 
+/// Gaps and system where probes and regions are now.
+void bring_rows(const Model& model, const ProbeRows& probes, ExactScratch& scratch) {
+  if (scratch.carried) {
+    if (meet(model, probes, *scratch.carried, scratch.pairs, scratch.gaps, scratch.system)) scratch.solve.changed();
+    return;
+  }
+  move_gaps(scratch.regions, probes, scratch.rest_gaps, scratch.gaps);
+  if (scratch.sliding.empty()) return;
+  move_rows(model, scratch.sliding, probes, scratch.system);
+  scratch.solve.changed();
+}
+
 SolveReport solve_exact(const Model& model, const FreeState& free, std::span<const double>,
                         LawScratch& scratch, Response& response) {
   auto& own = static_cast<ExactScratch&>(scratch);
   take_probes(model, free.probes, own);
-  const ComplementarityReport found =
-      own.solve.solve(own.holds, own.values, own.gaps, model.contact_tolerance);
+  if (own.carried) carry(model, free.probes, *own.carried);
+  ComplementarityReport found;
+  do {
+    bring_rows(model, free.probes, own);
+    found = own.solve.solve(own.holds, own.values, own.gaps, model.contact_tolerance);
+  } while (own.carried &&
+           !looked_far_enough(model, free.probes, own.pairs, own.system, own.solve, *own.carried));
   add_contacts(model, own, response.loads);
-  add_to_probes(model, own, response);
+  add_to_probes(model, free.probes, own, response);
   return {.stop = stop_of(found.end),
           .iterations = found.iterations,
           .residual = found.residual,
@@ -78,13 +98,26 @@ SolveReport solve_exact(const Model& model, const FreeState& free, std::span<con
 }  // namespace
 
 ExactScratch::ExactScratch(const Model& model)
-    : pairs(facing_pairs(model)), system(contact_system(model, pairs)), solve(system) {
+    : pairs(carries_bodies(model) ? carried_pairs(model) : facing_pairs(model)),
+      carried(carries_bodies(model) ? std::optional<Carried>(std::in_place, model, pairs.size()) : std::nullopt),
+      regions(carried ? std::vector<RegionRows>() : region_rows(model, pairs)),
+      sliding(carried ? std::vector<SlidingRows>() : sliding_rows(model, pairs)),
+      system(carried ? empty_system(model, pairs.size()) : contact_system(model, pairs)),
+      solve(system) {
   summaries.resize(model.pairs.size());
-  for (const FacingPair& pair : pairs) gaps.push_back(pair.gap);
+  for (const FacingPair& pair : pairs) rest_gaps.push_back(pair.gap);
+  gaps = rest_gaps;
   const auto rows = static_cast<std::size_t>(system.bilateral);
   holds.resize(rows);
   values.resize(rows);
   given.reserve(rows);
+}
+
+void ExactScratch::reset() {
+  solve.reset();
+  if (!carried) return;
+  carried->within = carried->start;
+  std::ranges::fill(carried->known, 0);
 }
 
 constinit const ContactLaw kExact{

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "sim/contact/exact/carried.hpp"
 #include "sim/contact/exact/complementarity.hpp"
+#include "sim/contact/exact/moving_rows.hpp"
 #include "sim/model/contact_law.hpp"
 #include "sim/pairing/facing_pairs.hpp"
 
@@ -15,10 +18,14 @@ extern const ContactLaw kExact;
 
 struct ExactScratch : LawScratch {
   explicit ExactScratch(const Model& model);
-  void reset() override { solve.reset(); }
+  void reset() override;
 
   std::vector<FacingPair> pairs;
-  std::vector<double> gaps;  // of each pair at rest [m]
+  std::optional<Carried> carried;  // where a region carries a body as a whole: it finds rows and gaps in every cycle
+  std::vector<double> rest_gaps;     // of each pair [m]
+  std::vector<double> gaps;          // where regions have moved them [m]
+  std::vector<RegionRows> regions;   // of each probe that holds one
+  std::vector<SlidingRows> sliding;  // of each probe that slides
   ContactSystem system;
   ComplementaritySolve solve;
   std::vector<char> holds;     // of each probe row

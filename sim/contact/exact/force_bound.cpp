@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/mesh/tet_mesh.hpp"
+
 namespace palpate::sim {
 namespace {
 
@@ -69,24 +71,35 @@ void ForceBound::grow(UpdatedFactor& factor, std::size_t holding, const Eigen::V
   }
 }
 
+/// One component of a probe's force, which axis_ holds as what each row does to it.
+void ForceBound::add(int probe, UpdatedFactor& factor, std::size_t holding, const Eigen::VectorXd& forces) {
+  factor.forward(axis_);
+  const Map coupling = contacts(axis_, holding);
+  const double ball = 0.5 * (std::abs(coupling.dot(contacts(change_, holding))) + coupling.norm() * rho_);
+  double& bound = bounds_[static_cast<std::size_t>(probe)];
+  bound = std::hypot(bound, ball + 2.0 * first_order(factor, holding, forces));
+}
+
 const ForceBound& ForceBound::find(UpdatedFactor& factor, std::size_t holding, const Eigen::VectorXd& forces,
                                    const Eigen::VectorXd& slack) {
   std::ranges::fill(bounds_, 0.0);
   const std::size_t active = factor.rows().size();
-  if (holding == 0) return *this;  // a probe that does not press feels nothing
+  if (holding == 0 && system_->regions.empty()) return *this;  // a probe that does not press feels nothing
   grow(factor, holding, forces, slack);
   const std::span<const int> rows = factor.rows();
   for (std::size_t i = 0; i < holding; ++i) {
     axis_.assign(rows.size(), 0.0);
     axis_[i] = 1.0;
-    factor.forward(axis_);
-    const Map coupling = contacts(axis_, holding);
-    const double ball = 0.5 * (std::abs(coupling.dot(contacts(change_, holding))) + coupling.norm() * rho_);
-    const double bound = ball + 2.0 * first_order(factor, holding, forces);
     const auto probe =
-        std::ranges::upper_bound(system_->first_of_probe, rows[i]) - system_->first_of_probe.begin() - 1;
-    bounds_[static_cast<std::size_t>(probe)] = std::hypot(bounds_[static_cast<std::size_t>(probe)], bound);
+        std::ranges::upper_bound(system_->first_of_probe, rows[i]) - system_->first_of_probe.begin();
+    add(static_cast<int>(probe) - 1, factor, holding, forces);
   }
+  for (const RegionPull& region : system_->regions)
+    for (Eigen::Index component = 0; component < 3; ++component) {
+      axis_.clear();
+      for (const int row : rows) axis_.push_back(region.rows(row, component));
+      add(region.probe, factor, holding, forces);
+    }
   factor.truncate(active);
   return *this;
 }
@@ -98,8 +111,12 @@ double ForceBound::largest() const {
 bool ForceBound::within(double part, const Eigen::VectorXd& forces) const {
   for (std::size_t probe = 0; probe < bounds_.size(); ++probe) {
     const Eigen::Index first = system_->first_of_probe[probe];
-    const double force = forces.segment(first, system_->first_of_probe[probe + 1] - first).norm();
-    if (bounds_[probe] > part * force) return false;
+    const Eigen::Index axes = system_->first_of_probe[probe + 1] - first;
+    if (axes > 0 && bounds_[probe] > part * forces.segment(first, axes).norm()) return false;
+  }
+  for (const RegionPull& region : system_->regions) {
+    const Vec3 pull = region.rows.transpose() * forces;
+    if (bounds_[static_cast<std::size_t>(region.probe)] > part * pull.norm()) return false;
   }
   return true;
 }

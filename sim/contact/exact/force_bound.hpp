@@ -16,7 +16,7 @@ namespace palpate::sim {
 /// the change of the gaps that makes lambda exact: r_i = -w_i where lambda_i > 0, max(0, -w_i) elsewhere. The exact
 /// lambda* obeys e^T (W e + r) <= 0 with e = lambda - lambda* (complementarity is monotone), so e lies in the ball of
 /// W's norm about -W^-1 r / 2 with half of rho = ||r||_W^-1 as its radius. With c what the contacts do to the
-/// force along an axis of a probe,
+/// force along an axis of a probe (or on a region that is held),
 ///   |F - F*| = |c^T e| <= (|c^T W^-1 r| + ||c||_W^-1 rho) / 2.
 /// All norms are taken over the contacts that may be closed on the way from lambda to lambda*: those that are, and
 /// those with w_j <= sqrt(W_jj) rho, for on that way no gap changes by more. Added are twice the first-order effect of
@@ -41,12 +41,14 @@ class ForceBound {
  private:
   void grow(UpdatedFactor& factor, std::size_t holding, const Eigen::VectorXd& forces,
             const Eigen::VectorXd& slack);
+  void add(int probe, UpdatedFactor& factor, std::size_t holding, const Eigen::VectorXd& forces);
   double first_order(const UpdatedFactor& factor, std::size_t holding, const Eigen::VectorXd& forces);
 
   const ContactSystem* system_;
   std::vector<char> taken_;     // rows of the factor, while it is grown
   std::vector<double> change_;  // L^-1 r, in the factor's order
-  std::vector<double> axis_;    // L^-1 of an axis' unit vector, then L^-T of that
+  std::vector<double>
+      axis_;  // what a component of a force is made of, over the rows; then L^-1, L^-T of that
   std::vector<double> bounds_;  // of each probe [N]
   double rho_ = 0.0;
 };

@@ -18,8 +18,9 @@ void Claims::clear() {
   std::ranges::fill(held, char{0});
 }
 
-void Claims::hold(std::span<const int> probe_nodes) {
-  for (const int node : probe_nodes) held[node] = 1;
+void Claims::hold(std::span<const int> probe_nodes, std::span<const double> weights) {
+  for (std::size_t i = 0; i < probe_nodes.size(); ++i)
+    if (weights[i] > 0.0) held[probe_nodes[i]] = 1;
 }
 
 void Claims::ask(int node, const Vec3& displacement_asked, int touch_pair_asking) {

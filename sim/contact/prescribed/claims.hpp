@@ -20,7 +20,8 @@ struct Claims {
 
   explicit Claims(std::size_t touchable_nodes);
   void clear();
-  void hold(std::span<const int> probe_nodes);
+  /// Those of a pressing probe with a weight > 0.
+  void hold(std::span<const int> probe_nodes, std::span<const double> weights);
   void ask(int node, const Vec3& displacement_asked, int touch_pair_asking);
   void sort();
 };

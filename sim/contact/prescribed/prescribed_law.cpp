@@ -16,7 +16,8 @@ PrescribedSolve contact_solve(const Model& model, int body) {
 
 void hold_probed_nodes(const Model& model, const ProbeRows& probes, int body, Claims& claims) {
   for (const int probe : model.bodies[body].probes)
-    if (probes[probe].pressing) claims.hold(model.probes[probe].nodes);
+    if (probes[probe].pressing)
+      claims.hold(model.probes[probe].nodes, weights_of(model.probes[probe], probes[probe]));
 }
 
 bool find_contacts(const Model& model, const FreeState& free, PrescribedScratch& scratch) {

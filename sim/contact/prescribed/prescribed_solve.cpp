@@ -24,20 +24,22 @@ PrescribedSolve::PrescribedSolve(const Model& model, int body, int most_nodes)
 double PrescribedSolve::entry(const Row& a, const Row& b) const {
   if (a.probe < 0 && b.probe < 0) return body_->compliance->touch_touch(a.index, b.index);
   if (a.probe < 0) return entry(b, a);
-  const Probe& pressing = model_->probes[a.probe];
-  if (b.probe < 0) return pressing.compliance(b.index, a.index);
+  const Eigen::MatrixXd& pressing = compliance_of(model_->probes[a.probe], (*probes_)[a.probe]);
+  if (b.probe < 0) return pressing(b.index, a.index);
   const Probe& other = model_->probes[b.probe];
+  const std::span<const double> weights = weights_of(other, (*probes_)[b.probe]);
   double sum = 0.0;  // the other probe's weighted mean of what this probe's unit force does
   for (std::size_t i = 0; i < other.nodes.size(); ++i)
-    sum += other.weights[i] *
-           other.axes.col(b.index).dot(pressing.compliance.col(a.index).segment<3>(3 * other.nodes[i]));
+    sum += weights[i] * other.axes.col(b.index).dot(pressing.col(a.index).segment<3>(3 * other.nodes[i]));
   return sum;
 }
 
 bool PrescribedSolve::factor(const ProbeRows& probes, std::span<const int> nodes) {
+  probes_ = &probes;
   wanted_.clear();
   for (const int probe : body_->probes) {
     if (!probes[probe].pressing) continue;
+    if (!model_->probes[probe].slide.knots.empty()) factored_ = 0;  // its rows are others wherever it is
     const auto axes = static_cast<int>(model_->probes[probe].axes.cols());
     for (int axis = 0; axis < axes; ++axis) wanted_.push_back({probe, axis});
   }
@@ -91,7 +93,9 @@ void PrescribedSolve::add_displacement(Eigen::VectorXd& displacement) const {
     if (wanted.probe < 0)
       displacement.noalias() += multipliers_[i] * body_->compliance->touch_touch.col(wanted.index);
     else
-      displacement.noalias() += multipliers_[i] * model_->probes[wanted.probe].compliance.col(wanted.index);
+      displacement.noalias() +=
+          multipliers_[i] *
+          compliance_of(model_->probes[wanted.probe], (*probes_)[wanted.probe]).col(wanted.index);
   }
 }
 
@@ -114,8 +118,9 @@ void PrescribedSolve::add_forces(Eigen::VectorXd& forces) const {
       continue;
     }
     const Probe& probe = model_->probes[wanted.probe];
+    const std::span<const double> weights = weights_of(probe, (*probes_)[wanted.probe]);
     for (std::size_t k = 0; k < probe.nodes.size(); ++k)
-      forces.segment<3>(3 * probe.nodes[k]) += force * probe.weights[k] * probe.axes.col(wanted.index);
+      forces.segment<3>(3 * probe.nodes[k]) += force * weights[k] * probe.axes.col(wanted.index);
   }
 }
 

@@ -50,7 +50,8 @@ class PrescribedSolve {
   const Body* body_;
   int stride_ = 0;
   int probe_rows_ = 0;
-  int factored_ = 0;  // leading rows of factor_ that hold
+  int factored_ = 0;                   // leading rows of factor_ that hold
+  const ProbeRows* probes_ = nullptr;  // of the last factor()
   std::vector<Row> rows_, wanted_;
   std::vector<double> factor_;  // lower triangle, one row after the other
   std::vector<double> multipliers_;

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "sim/contact/exact/complementarity.hpp"
+#include "sim/model/free_state.hpp"
+#include "sim/model/model.hpp"
+#include "sim/pairing/facing_pairs.hpp"
+
+namespace palpate::sim {
+
+/// Contacts of bodies of which at least one is carried by a region as a whole, however far: what faces what is found
+/// anew in every cycle from the rest surfaces where the regions have brought them. A contact keeps its place in the
+/// list: that of its node.
+struct Carried {
+  Carried(const Model& model, std::size_t contacts);
+
+  std::vector<Eigen::Matrix3d> turns{};  // of each body
+  std::vector<RigidPose> poses{};        // likewise
+  std::vector<int> near{};               // contacts that can touch in this cycle
+  std::vector<char> is_near{};                  // of each contact
+  std::vector<char> known{};                    // of each contact: the system's rows of those that are known are filled
+  std::vector<FacingPair> filled{};             // with these, which differ from what is now by rounding only
+  std::vector<int> renewed{};                   // contacts whose rows were filled in this cycle
+  std::vector<std::vector<double>>
+      influence{};              // of each body's touchable nodes: the most that a newton on it moves
+                                // a node that can collide, for E = 1 Pa [m]
+  std::vector<double> moved{};  // of each body, the most that its surface can have given way [m]
+  double start = 0.0;           // how near contacts are looked for at first [m]
+  double within = 0.0;          // and now
+};
+
+/// Whether a model has such bodies that may touch others.
+bool carries_bodies(const Model& model);
+
+/// Every node that may meet a surface: those that are behind it at rest never do.
+std::vector<FacingPair> carried_pairs(const Model& model);
+
+/// Brings the bodies to where the regions have them.
+void carry(const Model& model, const ProbeRows& probes, Carried& carried);
+
+/// Finds the contacts that are near, with gaps (others: so far that they never close), and fills the rows of the system
+/// that are others than they were. @return whether there were such
+bool meet(const Model& model, const ProbeRows& probes, Carried& carried, std::span<FacingPair> pairs,
+          std::span<double> gaps, ContactSystem& system);
+
+/// Whether no contact that was left out can have closed under the forces of a solve; else looks farther from now on.
+bool looked_far_enough(const Model& model, const ProbeRows& probes, std::span<const FacingPair> pairs,
+                       const ContactSystem& system, const ComplementaritySolve& solve, Carried& carried);
+
+}  // namespace palpate::sim
