@@ -133,7 +133,7 @@ std::string stroke_text(const sim::Model& model, const sim::Stroke& stroke) {
       const sim::Vec3 force = step.probe_forces[k] + sim::Vec3::Zero();  // -0 is 0
       text += fmt::format("   {:>8.3f} {:>8.3f} {:>8.3f} {:>10.5f} {:>10.5f} {:>10.5f} {:>9.4f}", moved[0],
                           moved[1], moved[2], force[0], force[1], force[2],
-                          sim::normal_force(model.probes[k], force));
+                          sim::normal_force(model.probes[k], force) + 0.0);
     }
     text += fmt::format(" {}", touch_text(step));
   }

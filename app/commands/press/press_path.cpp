@@ -66,6 +66,7 @@ std::vector<sim::StrokePose> read_stroke(const sim::Model& model, const std::str
   const std::vector<ProbePath> paths = devices::parse_path(base::read_file(file, "a path (.csv)"), file);
   const std::vector<double>& times = paths.front().times;
   std::vector<sim::StrokePose> poses;
+  poses.reserve(times.size());
   for (const double time : times)
     poses.push_back({time, std::vector<sim::ProbeDisplacement>(model.probes.size())});
   for (const ProbePath& path : paths) {
