@@ -181,6 +181,7 @@ ContactSpec read_contact(base::TomlReader reader) {
     contact.touch.push_back({*(*pair)[0].value<std::string>(), *(*pair)[1].value<std::string>()});
   }
   contact.model = reader.word("model");
+  if (reader.has("overlap")) contact.overlap = reader.quantity("overlap");
   if (reader.has("pairing")) contact.nodes_of = read_pairing(reader, contact);
   contact.effects = read_effects(reader, "contact");
   reader.refuse_unknown();

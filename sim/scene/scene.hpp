@@ -53,6 +53,7 @@ inline constexpr std::string_view kNoContact = "none";
 struct ContactSpec {
   std::vector<std::array<std::string, 2>> touch{};  // which bodies may touch
   std::string model{kNoContact};                    // a name that contact_model_words() lists
+  double overlap = 0.0;                     // of bodies at rest, by no more than this [m]
   std::string nodes_of{};  // the body whose nodes alone meet the other's polygons; empty: those of both
   EffectValues effects{};
 

@@ -130,6 +130,12 @@ constexpr std::array kContactKeys{
         .takes = base::takes_word(contact_model_words),
         .example = "\"kuroda\"",
         .meaning = "The contact model: what bodies that touch do to each other."},
+    Key{.name = "overlap",
+        .takes = base::takes_quantity(Dimension::Length, base::kNotNegative),
+        .example = "\"0.1 mm\"",
+        .absent = "none: bodies are apart or touch",
+        .meaning = "How far bodies of the scene may reach into each other at rest. What they do counts as touching: "
+                   "it is not felt."},
     Key{.name = "pairing",
         .takes = base::kText,
         .example = "\"nodes of prostate\"",

@@ -16,7 +16,7 @@ Vec3 temporary_displacement(const CollidingPair& pair) {
 }
 
 /// The polygon of A beside node a that faces S most squarely; of two alike the lower number.
-int adjacent_polygon(const Body& body, const PlacedBody& placed, int node, const Vec3& normal_of_s) {
+int adjacent_polygon(const Body& body, PlacedBody& placed, int node, const Vec3& normal_of_s) {
   const int first = body.polygons.incident_begin[node];
   int adjacent = body.polygons.incident[first];
   double least = polygon_normal(body, placed, adjacent).dot(normal_of_s);
@@ -31,7 +31,7 @@ int adjacent_polygon(const Body& body, const PlacedBody& placed, int node, const
   return adjacent;
 }
 
-int polygon_beside_node(const Model& model, const KurodaScratch& scratch, const CollidingPair& pair) {
+int polygon_beside_node(const Model& model, KurodaScratch& scratch, const CollidingPair& pair) {
   return adjacent_polygon(model.bodies[pair.node_body], scratch.placement[pair.node_body], pair.node,
                           pair.normal);
 }
@@ -73,7 +73,7 @@ bool deform_temporarily(const Model& model, const ProbeRows& probes, KurodaScrat
 }
 
 /// |f| of a polygon: the mean of the force vectors on its corners, projected onto its normal.
-double surface_force(const Model& model, const KurodaScratch& scratch, int body, int polygon) {
+double surface_force(const Model& model, KurodaScratch& scratch, int body, int polygon) {
   Vec3 sum = Vec3::Zero();
   for (const int node : model.bodies[body].polygons.triangles[polygon])
     sum += scratch.temporary[body].forces.segment<3>(3 * node);
@@ -81,7 +81,7 @@ double surface_force(const Model& model, const KurodaScratch& scratch, int body,
 }
 
 /// Resistance of S and of the polygon of A beside a: what the ratio of equations (3) and (4) is made of.
-PairShare share_of(const Model& model, const KurodaScratch& scratch, const CollidingPair& pair) {
+PairShare share_of(const Model& model, KurodaScratch& scratch, const CollidingPair& pair) {
   const int beside = polygon_beside_node(model, scratch, pair);
   return {.polygon_force = surface_force(model, scratch, pair.polygon_body, pair.polygon),
           .node_force = surface_force(model, scratch, pair.node_body, beside)};
