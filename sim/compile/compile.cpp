@@ -40,7 +40,10 @@ void add_pair(const std::array<std::string, 2>& names, const std::string& nodes_
 
 Model compile_all(const Scene& scene, ComplianceCache& cache) {
   refuse_combinations(scene);
-  Model model{.scene = scene.name, .law = &contact_law(scene.contact.model), .overlap = scene.contact.overlap};
+  Model model{.scene = scene.name,
+              .law = &contact_law(scene.contact.model),
+              .reading = scene.contact.reading,
+              .overlap = scene.contact.overlap};
   model.probes.resize(scene.probes.size());
   for (const BodySpec& spec : scene.bodies)
     if (spec.present) add_body(scene, spec, cache, model);

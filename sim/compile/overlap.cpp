@@ -32,7 +32,8 @@ Boundary boundary_of(const Body& body) {
   std::iota(every.begin(), every.end(), 0);
   Boundary boundary{.nodes = Eigen::Matrix3Xd(3, static_cast<Eigen::Index>(count)),
                     .surface = make_touch_surface(body.surface->triangles, every, static_cast<int>(count))};
-  for (std::size_t i = 0; i < count; ++i) boundary.nodes.col(static_cast<Eigen::Index>(i)) = body.mesh->nodes[i];
+  for (std::size_t i = 0; i < count; ++i)
+    boundary.nodes.col(static_cast<Eigen::Index>(i)) = body.mesh->nodes[i];
   boundary.tree = build_tree(boundary.surface.triangles, boundary.nodes);
   return boundary;
 }
@@ -128,12 +129,14 @@ void refuse_overlap(const Body& a, const Body& b, double declared) {
   const std::string overlapping =
       fmt::format("{} and {} overlap at rest by {:.3g} mm", a.name, b.name, 1e3 * overlap);
   if (declared > 0.0)
-    refuse_key("contact.overlap", fmt::format("found {:.6g} mm, and {}; accepted: at least that, or bodies that "
-                                              "are moved apart (see offset)",
-                                              1e3 * declared, overlapping));
-  refuse_key("bodies", fmt::format("{}; accepted: bodies that are apart or touch (see offset), or contact.overlap "
-                                   "to declare it",
-                                   overlapping));
+    refuse_key("contact.overlap",
+               fmt::format("found {:.6g} mm, and {}; accepted: at least that, or bodies that "
+                           "are moved apart (see offset)",
+                           1e3 * declared, overlapping));
+  refuse_key("bodies",
+             fmt::format("{}; accepted: bodies that are apart or touch (see offset), or contact.overlap "
+                         "to declare it",
+                         overlapping));
 }
 
 }  // namespace palpate::sim

@@ -28,8 +28,7 @@ struct PressPose {
 };
 
 /// Whether the bodies, moved by the probes alone, have come together: whatever contact model then works.
-bool bodies_touch(const Model& model, ProbeDisplacements probes, Simulation& alone,
-                  Placement& placement) {
+bool bodies_touch(const Model& model, ProbeDisplacements probes, Simulation& alone, Placement& placement) {
   alone.step(probes, kCyclePeriod);
   const FreeMotion motion = alone.motion();
   place(model, motion, placement);

@@ -66,7 +66,8 @@ struct Model {
   std::vector<Body> bodies{};       // those present
   std::vector<TouchPair> pairs{};   // those of present bodies
   std::vector<Probe> probes{};
-  double overlap = 0.0;  // of bodies at rest, that the scene declares [m]
+  Reading reading = Reading::EveryPair;  // of kuroda
+  double overlap = 0.0;                  // of bodies at rest, that the scene declares [m]
 };
 
 /// The same bodies and probes, and no body touches another.

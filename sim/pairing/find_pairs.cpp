@@ -112,8 +112,9 @@ void find_colliding_nodes(const Meeting& meeting, std::vector<PassedPolygon>& pa
     if (passed.empty()) continue;
     const PassedPolygon& chosen = choose(passed, sides.rounding);
     if (!has_entered(meeting, passing, chosen)) continue;
-    pairs.push_back({sides.touch_pair, sides.node_body, node, sides.polygon_body, chosen.polygon, chosen.depth,
-                     polygon_normal(meeting.polygons, meeting.moved_polygons, chosen.polygon), chosen.at_rest});
+    pairs.push_back({sides.touch_pair, sides.node_body, node, sides.polygon_body, chosen.polygon,
+                     chosen.depth, polygon_normal(meeting.polygons, meeting.moved_polygons, chosen.polygon),
+                     chosen.at_rest});
   }
 }
 

@@ -13,9 +13,9 @@ struct CollidingPair {
   int touch_pair = 0;           // index into Model::pairs
   int node_body = 0, node = 0;  // body and touch index
   int polygon_body = 0, polygon = 0;
-  double depth = 0.0;            // of the node behind the polygon's plane, less what it was at rest [m], > 0
-  Vec3 normal = Vec3::Zero();    // outward, of the polygon
-  double depth_at_rest = 0.0;    // of a pair that overlaps at rest, as the scene declares [m]
+  double depth = 0.0;          // of the node behind the polygon's plane, less what it was at rest [m], > 0
+  Vec3 normal = Vec3::Zero();  // outward, of the polygon
+  double depth_at_rest = 0.0;  // of a pair that overlaps at rest, as the scene declares [m]
 };
 using Pairs = std::vector<CollidingPair>;
 

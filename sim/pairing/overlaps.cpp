@@ -12,8 +12,8 @@ namespace {
 struct Placed {
   const Body& body;
   Eigen::Matrix3Xd positions{};
-  std::vector<double> motion{};           // of each node [m]
-  std::vector<double> polygon_motion{};   // of each polygon [m]
+  std::vector<double> motion{};          // of each node [m]
+  std::vector<double> polygon_motion{};  // of each polygon [m]
   AabbTree tree{};
 };
 
@@ -37,12 +37,12 @@ double deepest(const Placed& nodes, const Placed& polygons, double declared) {
   const double rounding = rounding_of(outer.tree);
   double depth = 0.0;
   for (const int node : nodes.body.colliding_nodes) {
-    const double found = depth_inside(outer.polygons, polygons.tree, polygons.positions,
-                                      nodes.positions.col(node), nodes.motion[node] + declared + rounding,
-                                      polygons.polygon_motion);
+    const double found =
+        depth_inside(outer.polygons, polygons.tree, polygons.positions, nodes.positions.col(node),
+                     nodes.motion[node] + declared + rounding, polygons.polygon_motion);
     if (found <= depth) continue;
-    const double at_rest = depth_inside(outer.polygons, outer.tree, outer.rest, nodes.body.rest.col(node),
-                                        declared + rounding);
+    const double at_rest =
+        depth_inside(outer.polygons, outer.tree, outer.rest, nodes.body.rest.col(node), declared + rounding);
     depth = std::max(depth, found - at_rest);
   }
   return depth;

@@ -31,7 +31,8 @@ void move(const Body& body, const Eigen::VectorXd& displacement, PlacedBody& pla
   for (std::size_t i = 0; i < placed.motion.size(); ++i)
     placed.motion[i] = by.col(static_cast<Eigen::Index>(i)).norm();
   placed.farthest = 0.0;
-  for (const int node : body.colliding_nodes) placed.farthest = std::max(placed.farthest, placed.motion[node]);
+  for (const int node : body.colliding_nodes)
+    placed.farthest = std::max(placed.farthest, placed.motion[node]);
 }
 
 }  // namespace
@@ -64,7 +65,8 @@ void place(const Model& model, const FreeMotion& motion, Placement& placement) {
 Vec3 polygon_normal(const Body& body, PlacedBody& placed, int polygon) {
   if (!placed.moved) return placed.rest_normals.col(polygon);
   if (placed.made[polygon] != placed.count) {
-    placed.normals.col(polygon) = area_vector(body.polygons.triangles[polygon], placed.positions).normalized();
+    placed.normals.col(polygon) =
+        area_vector(body.polygons.triangles[polygon], placed.positions).normalized();
     placed.made[polygon] = placed.count;
   }
   return placed.normals.col(polygon);

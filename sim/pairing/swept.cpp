@@ -8,7 +8,8 @@
 namespace palpate::sim {
 namespace {
 
-constexpr double kEdge = 1e-9;  // of a triangle's size: along a common edge nothing slips between two triangles
+constexpr double kEdge =
+    1e-9;  // of a triangle's size: along a common edge nothing slips between two triangles
 
 /// c0 + c1 t + c2 t^2 + c3 t^3
 struct Cubic {
@@ -47,8 +48,9 @@ double root(const Cubic& f, double low, double high) {
     const double slope = f.slope(t);
     double next = slope != 0.0 ? t - value / slope : low;
     if (!(next > low && next < high)) next = 0.5 * (low + high);
-    if (std::abs(next - t) <= 1e-15) break;
+    const double step = std::abs(next - t);
     t = next;
+    if (step <= 1e-12) break;
   }
   return t;
 }
@@ -80,9 +82,8 @@ bool is_within(const Ways& x, double t) {
 int times_entered(const Vec3& rest, const Vec3& now, const SweptTriangle& triangle) {
   const auto& [a0, b0, c0] = triangle.rest;
   const auto& [a1, b1, c1] = triangle.now;
-  const Ways ways{rest - a0, b0 - a0,
-                  c0 - a0,   (now - a1) - (rest - a0),
-                  (b1 - a1) - (b0 - a0), (c1 - a1) - (c0 - a0)};
+  const Ways ways{
+      rest - a0, b0 - a0, c0 - a0, (now - a1) - (rest - a0), (b1 - a1) - (b0 - a0), (c1 - a1) - (c0 - a0)};
   const Cubic f = height(ways);
   std::array<double, 2> room{};
   int entered = 0;

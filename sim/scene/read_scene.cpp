@@ -152,15 +152,20 @@ BodySpec read_body(base::TomlReader reader, const std::string& name, const std::
   return body;
 }
 
+/// A key that one contact model alone knows.
+void refuse_other_models(const base::TomlReader& reader, std::string_view key, std::string_view model,
+                         const ContactSpec& contact) {
+  if (contact.model != model)
+    reader.refuse(key, fmt::format("is for the contact model {}, and model is \"{}\"; accepted: the scene "
+                                   "without it, or model = \"{}\"",
+                                   model, contact.model, model));
+}
+
 /// The body whose nodes alone meet polygons; nothing for those of both.
 std::string read_pairing(base::TomlReader& reader, const ContactSpec& contact) {
-  constexpr std::string_view kNodesOf = "nodes of ", kExact = "exact";
+  constexpr std::string_view kNodesOf = "nodes of ";
   const std::string pairing = reader.text("pairing");
-  if (contact.model != kExact)
-    reader.refuse("pairing",
-                  fmt::format("is for the contact model {}, and model is \"{}\"; accepted: the scene "
-                              "without it, or model = \"{}\"",
-                              kExact, contact.model, kExact));
+  refuse_other_models(reader, "pairing", "exact", contact);
   if (pairing == "both") return {};
   std::string body = pairing.starts_with(kNodesOf) ? pairing.substr(kNodesOf.size()) : "";
   std::vector<std::string> accepted;
@@ -182,6 +187,10 @@ ContactSpec read_contact(base::TomlReader reader) {
   }
   contact.model = reader.word("model");
   if (reader.has("overlap")) contact.overlap = reader.quantity("overlap");
+  if (reader.has("reading")) {
+    refuse_other_models(reader, "reading", "kuroda", contact);
+    contact.reading = reader.word("reading", kReadingWords);
+  }
   if (reader.has("pairing")) contact.nodes_of = read_pairing(reader, contact);
   contact.effects = read_effects(reader, "contact");
   reader.refuse_unknown();

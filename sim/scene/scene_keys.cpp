@@ -134,8 +134,15 @@ constexpr std::array kContactKeys{
         .takes = base::takes_quantity(Dimension::Length, base::kNotNegative),
         .example = "\"0.1 mm\"",
         .absent = "none: bodies are apart or touch",
-        .meaning = "How far bodies of the scene may reach into each other at rest. What they do counts as touching: "
-                   "it is not felt."},
+        .meaning =
+            "How far bodies of the scene may reach into each other at rest. What they do counts as touching: "
+            "it is not felt."},
+    Key{.name = "reading",
+        .takes = base::takes_word(base::words_of<kReadingWords>),
+        .example = "\"literal\"",
+        .absent = "\"every pair\"",
+        .meaning = "With the contact model `kuroda`: how equations (3) and (4) of the paper are read.",
+        .along = "model = \"kuroda\""},
     Key{.name = "pairing",
         .takes = base::kText,
         .example = "\"nodes of prostate\"",

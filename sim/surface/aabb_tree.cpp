@@ -130,8 +130,7 @@ NearestPolygon find_nearest(const AabbTree& tree, std::span<const Triangle> tria
       const bool nearer =
           squared < best.squared_distance || (squared == best.squared_distance && polygon < best.polygon);
       const double reach = moved.empty() ? within : within + moved[polygon];
-      if (nearer && squared <= reach * reach)
-        best = {polygon, squared, nearest};
+      if (nearer && squared <= reach * reach) best = {polygon, squared, nearest};
     }
   }
   return best;

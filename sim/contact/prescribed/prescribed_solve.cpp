@@ -12,13 +12,15 @@ using RowMap = Eigen::Map<const Eigen::VectorXd>;
 }  // namespace
 
 PrescribedSolve::PrescribedSolve(const Model& model, int body, int most_nodes)
-    : model_(&model), body_(&model.bodies[body]), stride_(3 * most_nodes) {
-  for (const int probe : body_->probes) stride_ += static_cast<int>(model.probes[probe].axes.cols());
-  const std::size_t size = stride_;
+    : model_(&model), body_(&model.bodies[body]), most_rows_(3 * most_nodes) {
+  for (const int probe : body_->probes) most_rows_ += static_cast<int>(model.probes[probe].axes.cols());
+  const std::size_t size = most_rows_;
   rows_.reserve(size);
   wanted_.reserve(size);
   multipliers_.reserve(size);
-  factor_.resize(size * size);
+  brought_.reserve(size);
+  factor_.resize(size * (size + 1) / 2);
+  matrix_.resize(factor_.size());
 }
 
 double PrescribedSolve::entry(const Row& a, const Row& b) const {
@@ -44,16 +46,18 @@ bool PrescribedSolve::factor(const ProbeRows& probes, std::span<const int> nodes
   probe_rows_ = static_cast<int>(wanted_.size());
   for (const int node : nodes)
     for (int component = 0; component < 3; ++component) wanted_.push_back({-1, 3 * node + component});
-  assert(static_cast<int>(wanted_.size()) <= stride_);
+  assert(static_cast<int>(wanted_.size()) <= most_rows_);
 
   const auto differ = std::ranges::mismatch(wanted_, rows_).in1 - wanted_.begin();
   factored_ = std::min(factored_, static_cast<int>(differ));
   rows_.assign(wanted_.begin(), wanted_.end());
   for (int i = factored_; i < rows(); ++i) {
     double* const row_i = row(i);
+    double* const matrix_i = matrix_.data() + begin_of(i);
     for (int j = 0; j <= i; ++j) {
       const double* const row_j = row(j);
-      const double rest = entry(rows_[i], rows_[j]) - RowMap(row_i, j).dot(RowMap(row_j, j));
+      matrix_i[j] = entry(rows_[i], rows_[j]);
+      const double rest = matrix_i[j] - RowMap(row_i, j).dot(RowMap(row_j, j));
       if (j < i)
         row_i[j] = rest / row_j[j];
       else if (rest > 0.0)
@@ -95,14 +99,16 @@ void PrescribedSolve::add_displacement(Eigen::VectorXd& displacement) const {
   }
 }
 
-Vec3 PrescribedSolve::displacement_of_node(int i) const {
-  Vec3 displacement = Vec3::Zero();
-  for (int component = 0; component < 3; ++component) {
-    const Row& to = rows_[probe_rows_ + 3 * i + component];
-    for (std::size_t from = 0; from < rows_.size(); ++from)
-      displacement[component] += entry(to, rows_[from]) * multipliers_[from];
+std::span<const double> PrescribedSolve::brought() {
+  brought_.assign(rows_.size(), 0.0);
+  const RowMap x(multipliers_.data(), rows());
+  Eigen::Map<Eigen::VectorXd> y(brought_.data(), rows());
+  for (int i = 0; i < rows(); ++i) {
+    const RowMap row_i(matrix_.data() + begin_of(i), i + 1);
+    y[i] += row_i.dot(x.head(i + 1));
+    y.head(i) += x[i] * row_i.head(i);
   }
-  return displacement;
+  return brought_;
 }
 
 void PrescribedSolve::add_forces(Eigen::VectorXd& forces) const {
