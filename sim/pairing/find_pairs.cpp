@@ -24,10 +24,16 @@ struct Passing {
   std::span<const MayPass> polygons{};
 };
 
-double motion_of(const Meeting& meeting, int polygon) {
-  const auto [a, b, c] = meeting.polygons.polygons.triangles[polygon];
-  const std::vector<double>& motion = meeting.moved_polygons.motion;
-  return std::max({motion[a], motion[b], motion[c]});
+/// Calls `look` on the polygons that are near enough at rest, until it returns true.
+template <class Look>
+bool any_in_reach(const Meeting& meeting, const Passing& node, Look look) {
+  const std::vector<double>& motion = meeting.moved_polygons.polygon_motion;
+  const double farthest = meeting.moved_polygons.farthest;
+  for (const MayPass& may : node.polygons) {
+    if (may.gap > node.reach + farthest) break;
+    if (may.gap <= node.reach + motion[may.polygon] && look(may)) return true;
+  }
+  return false;
 }
 
 /// How deep the node is behind a polygon's plane [m].
@@ -53,18 +59,18 @@ void list_passed(const Meeting& meeting, const Passing& node, std::vector<Passed
   const Eigen::Matrix3Xd& positions = meeting.moved_polygons.positions;
   const double rounding = meeting.sides.rounding;
   double least = std::numeric_limits<double>::infinity();
-  for (const MayPass& may : node.polygons) {
-    if (may.gap > node.reach + motion_of(meeting, may.polygon)) continue;
-    const auto [a, b, c] = body.polygons.triangles[may.polygon];
+  any_in_reach(meeting, node, [&](const MayPass& may) {
     const Depth depth = depth_behind(meeting, node, may);
-    if (!(depth.since > 0.0) || depth.since > least + rounding) continue;  // no nearer than the plane
+    if (!(depth.since > 0.0) || depth.since > least + rounding) return false;  // no nearer than the plane
+    const auto [a, b, c] = body.polygons.triangles[may.polygon];
     const Vec3 nearest =
         nearest_on_triangle(node.now, positions.col(a), positions.col(b), positions.col(c)).point;
     const double distance = (nearest - node.now).norm();
-    if (distance > least + rounding) continue;
+    if (distance > least + rounding) return false;
     least = std::min(least, distance);
     passed.push_back({may.polygon, may.touching, distance, depth.since, depth.at_rest});
-  }
+    return false;
+  });
   std::erase_if(passed, [&](const PassedPolygon& polygon) { return polygon.distance > least + rounding; });
 }
 
@@ -88,12 +94,11 @@ bool goes_through(const Meeting& meeting, const Passing& node, int polygon) {
 /// Whether the node went into the surface on its way. @param first  the polygon to look at first
 bool has_entered(const Meeting& meeting, const Passing& node, const PassedPolygon& first) {
   if (first.touching || goes_through(meeting, node, first.polygon)) return true;
-  for (const MayPass& may : node.polygons) {
-    if (may.polygon == first.polygon || may.gap > node.reach + motion_of(meeting, may.polygon)) continue;
-    if (may.touching && depth_behind(meeting, node, may).since > 0.0) return true;
-    if (goes_through(meeting, node, may.polygon)) return true;
-  }
-  return false;
+  return any_in_reach(meeting, node, [&](const MayPass& may) {
+    if (may.polygon == first.polygon) return false;
+    return (may.touching && depth_behind(meeting, node, may).since > 0.0) ||
+           goes_through(meeting, node, may.polygon);
+  });
 }
 
 void find_colliding_nodes(const Meeting& meeting, std::vector<PassedPolygon>& passed, Pairs& pairs) {
@@ -104,10 +109,11 @@ void find_colliding_nodes(const Meeting& meeting, std::vector<PassedPolygon>& pa
     const int node = meeting.nodes.colliding_nodes[k];
     const double reach = meeting.moved_nodes.motion[node] + sides.rounding;
     if (sides.gap[k] > reach + farthest) continue;
-    std::span<const MayPass> may(sides.polygons.data() + sides.begin[k],
-                                 sides.polygons.data() + sides.begin[k + 1]);
-    may = may.first(std::ranges::upper_bound(may, reach + farthest, {}, &MayPass::gap) - may.begin());
-    const Passing passing{meeting.nodes.rest.col(node), meeting.moved_nodes.positions.col(node), reach, may};
+    const Passing passing{
+        meeting.nodes.rest.col(node),
+        meeting.moved_nodes.positions.col(node),
+        reach,
+        {sides.polygons.data() + sides.begin[k], sides.polygons.data() + sides.begin[k + 1]}};
     list_passed(meeting, passing, passed);
     if (passed.empty()) continue;
     const PassedPolygon& chosen = choose(passed, sides.rounding);

@@ -48,7 +48,7 @@ void list_polygons(const AtRest& rest, int node, std::vector<MayPass>& list) {
         nearest_on_triangle(place, corner, rest.polygons.rest.col(b), rest.polygons.rest.col(c)).point;
     const double gap = (nearest - place).norm();
     const bool touching = behind >= -rest.rounding && gap <= rest.overlap + rest.rounding;
-    if (touching || behind <= rest.rounding) list.push_back({gap, polygon, touching});
+    if (touching || behind <= rest.rounding) list.push_back({touching ? 0.0 : gap, polygon, touching});
   }
 }
 

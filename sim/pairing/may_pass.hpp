@@ -9,7 +9,7 @@ namespace palpate::sim {
 /// A polygon that a node stands before at rest, and that a polygon of the node's own faces, so that the node may come
 /// to pass it. (The far side of a body follows its near side.)
 struct MayPass {
-  double gap = 0.0;  // between them at rest [m]
+  double gap = 0.0;  // between them at rest [m]; of those that touch 0
   int polygon = 0;
   bool touching = false;  // at rest: by rounding, or behind the polygon by no more than the declared overlap
 };

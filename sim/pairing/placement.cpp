@@ -15,6 +15,7 @@ PlacedBody at_rest(const Body& body) {
   for (Eigen::Index i = 0; i < polygons; ++i)
     placed.rest_normals.col(i) = area_vector(triangles[i], body.rest).normalized();
   placed.normals = placed.rest_normals;
+  placed.polygon_motion.assign(triangles.size(), 0.0);
   placed.made.assign(triangles.size(), 0);
   return placed;
 }
@@ -22,6 +23,7 @@ PlacedBody at_rest(const Body& body) {
 void put_back(const Body& body, PlacedBody& placed) {
   placed.positions = body.rest;
   std::ranges::fill(placed.motion, 0.0);
+  std::ranges::fill(placed.polygon_motion, 0.0);
   placed.farthest = 0.0;
 }
 
@@ -30,9 +32,14 @@ void move(const Body& body, const Eigen::VectorXd& displacement, PlacedBody& pla
   placed.positions = body.rest + by;
   for (std::size_t i = 0; i < placed.motion.size(); ++i)
     placed.motion[i] = by.col(static_cast<Eigen::Index>(i)).norm();
-  placed.farthest = 0.0;
-  for (const int node : body.colliding_nodes)
-    placed.farthest = std::max(placed.farthest, placed.motion[node]);
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < placed.polygon_motion.size(); ++i) {
+    const auto [a, b, c] = body.polygons.triangles[i];
+    const double of_polygon = std::max(std::max(placed.motion[a], placed.motion[b]), placed.motion[c]);
+    placed.polygon_motion[i] = of_polygon;
+    farthest = std::max(farthest, of_polygon);
+  }
+  placed.farthest = farthest;
 }
 
 }  // namespace

@@ -10,11 +10,12 @@ namespace palpate::sim {
 
 /// A body where its motion has brought it.
 struct PlacedBody {
-  Eigen::Matrix3Xd positions{};       // of the touchable nodes: rest + displacement, 3 x t [m]
-  std::vector<double> motion{};       // how far each of them has come from rest [m]
-  double farthest = 0.0;              // the largest motion of a node that can collide [m]
-  bool moved = false;                 // false: at rest
-  Eigen::Matrix3Xd rest_normals{};    // of the polygons at rest, outward, unit length
+  Eigen::Matrix3Xd positions{};          // of the touchable nodes: rest + displacement, 3 x t [m]
+  std::vector<double> motion{};          // how far each of them has come from rest [m]
+  std::vector<double> polygon_motion{};  // and the farthest corner of each polygon [m]
+  double farthest = 0.0;                 // the largest motion of a node that can collide [m]
+  bool moved = false;                    // false: at rest
+  Eigen::Matrix3Xd rest_normals{};       // of the polygons at rest, outward, unit length
   Eigen::Matrix3Xd normals{};         // of those polygons that polygon_normal() was asked for since place()
   std::vector<std::uint64_t> made{};  // when: the count of place() then
   std::uint64_t count = 0;            // of calls of place()

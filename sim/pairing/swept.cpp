@@ -21,6 +21,9 @@ struct Cubic {
 
 /// The instants between 0 and 1 where the cubic turns, ascending.
 std::span<const double> turns(const Cubic& f, std::array<double, 2>& room) {
+  // Its slope lies between these three [Farin2002]: of one sign they leave no turn.
+  const double first = f.c1, middle = f.c1 + f.c2, last = middle + f.c2 + 3.0 * f.c3;
+  if (std::min({first, middle, last}) > 0.0 || std::max({first, middle, last}) < 0.0) return {};
   std::size_t count = 0;
   const auto add = [&](double t) {
     if (t > 0.0 && t < 1.0) room[count++] = t;
@@ -35,22 +38,27 @@ std::span<const double> turns(const Cubic& f, std::array<double, 2>& room) {
   return {room.data(), count};
 }
 
-/// The root between two instants where the signs differ and the cubic does not turn: Newton's steps, and a halving
-/// where they leave the bracket.
-double root(const Cubic& f, double low, double high) {
-  const bool falls = f.at(low) >= 0.0;
-  const double f_low = f.at(low), f_high = f.at(high);
-  double t = low + (high - low) * f_low / (f_low - f_high);
+/// An instant, and the cubic there.
+struct Instant {
+  double t = 0.0, f = 0.0;
+};
+
+/// The root between two instants where the signs differ and the cubic does not turn, to 1e-10: Newton's steps, and a
+/// halving where they leave the bracket.
+double root(const Cubic& f, const Instant& from, const Instant& to) {
+  double low = from.t, high = to.t;
+  double t = low + (high - low) * from.f / (from.f - to.f);
   for (int i = 0; i < 60; ++i) {
-    const double value = f.at(t);
-    if (value == 0.0) break;
-    ((value > 0.0) == falls ? low : high) = t;
-    const double slope = f.slope(t);
-    double next = slope != 0.0 ? t - value / slope : low;
-    if (!(next > low && next < high)) next = 0.5 * (low + high);
-    const double step = std::abs(next - t);
+    const double value = f.at(t), slope = f.slope(t);
+    ((value >= 0.0) == (from.f >= 0.0) ? low : high) = t;
+    const double step = value / slope, next = t - step;
+    if (!(next >= low && next <= high)) {
+      t = 0.5 * (low + high);
+      continue;
+    }
     t = next;
-    if (step <= 1e-12) break;
+    // what a step of Newton's leaves is its square times f'' / 2 f'
+    if (step * step * std::abs(f.c2 + 3.0 * f.c3 * t) <= 1e-10 * std::abs(slope)) break;
   }
   return t;
 }
@@ -87,14 +95,14 @@ int times_entered(const Vec3& rest, const Vec3& now, const SweptTriangle& triang
   const Cubic f = height(ways);
   std::array<double, 2> room{};
   int entered = 0;
-  double from = 0.0;
-  const auto look_until = [&](double to) {
-    const bool before = f.at(from) >= 0.0, before_then = f.at(to) >= 0.0;
+  Instant from{0.0, f.c0};
+  const auto look_until = [&](const Instant& to) {
+    const bool before = from.f >= 0.0, before_then = to.f >= 0.0;
     if (before != before_then && is_within(ways, root(f, from, to))) entered += before ? 1 : -1;
     from = to;
   };
-  for (const double turn : turns(f, room)) look_until(turn);
-  look_until(1.0);
+  for (const double turn : turns(f, room)) look_until({turn, f.at(turn)});
+  look_until({1.0, f.at(1.0)});
   return entered;
 }
 

@@ -1,6 +1,7 @@
 #include "sim/contact/prescribed/prescribed_solve.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 
@@ -8,6 +9,8 @@ namespace palpate::sim {
 namespace {
 
 using RowMap = Eigen::Map<const Eigen::VectorXd>;
+
+constexpr int kRowsAtOnce = 4;  // whose sums are independent, so that the processor need not wait for each
 
 }  // namespace
 
@@ -19,6 +22,7 @@ PrescribedSolve::PrescribedSolve(const Model& model, int body, int most_nodes)
   wanted_.reserve(size);
   multipliers_.reserve(size);
   brought_.reserve(size);
+  inverse_pivots_.resize(size);
   factor_.resize(size * (size + 1) / 2);
   matrix_.resize(factor_.size());
 }
@@ -36,6 +40,27 @@ double PrescribedSolve::entry(const Row& a, const Row& b) const {
   return sum;
 }
 
+// Column by column, so that no row waits for the other rows' last entries.
+bool PrescribedSolve::factor_rows(int first, int end) {
+  for (int j = 0; j < end; ++j) {
+    const double* const row_j = row(j);
+    for (int i = std::max(first, j); i < end; ++i) {
+      double* const row_i = row(i);
+      const double c = entry(rows_[i], rows_[j]);
+      matrix_[begin_of(i) + j] = c;
+      const double rest = c - RowMap(row_i, j).dot(RowMap(row_j, j));
+      if (j < i)
+        row_i[j] = rest * inverse_pivots_[j];
+      else if (rest > 0.0)
+        inverse_pivots_[i] = 1.0 / (row_i[i] = std::sqrt(rest));
+      else
+        return false;
+    }
+  }
+  factored_ = end;
+  return true;
+}
+
 bool PrescribedSolve::factor(const ProbeRows& probes, std::span<const int> nodes) {
   wanted_.clear();
   for (const int probe : body_->probes) {
@@ -51,23 +76,45 @@ bool PrescribedSolve::factor(const ProbeRows& probes, std::span<const int> nodes
   const auto differ = std::ranges::mismatch(wanted_, rows_).in1 - wanted_.begin();
   factored_ = std::min(factored_, static_cast<int>(differ));
   rows_.assign(wanted_.begin(), wanted_.end());
-  for (int i = factored_; i < rows(); ++i) {
-    double* const row_i = row(i);
-    double* const matrix_i = matrix_.data() + begin_of(i);
-    for (int j = 0; j <= i; ++j) {
-      const double* const row_j = row(j);
-      matrix_i[j] = entry(rows_[i], rows_[j]);
-      const double rest = matrix_i[j] - RowMap(row_i, j).dot(RowMap(row_j, j));
-      if (j < i)
-        row_i[j] = rest / row_j[j];
-      else if (rest > 0.0)
-        row_i[i] = std::sqrt(rest);
-      else
-        return false;
-    }
-    factored_ = i + 1;
-  }
+  for (int first = factored_; first < rows(); first = factored_)
+    if (!factor_rows(first, std::min(first + kRowsAtOnce, rows()))) return false;
   return true;
+}
+
+// x := L^-1 x: of some rows at once what the entries before them take, then what they take of each other.
+void PrescribedSolve::substitute_forward(double* x) const {
+  for (int first = 0; first < rows(); first += kRowsAtOnce) {
+    const int count = std::min(kRowsAtOnce, rows() - first);
+    std::array<double, kRowsAtOnce> here{};
+    for (int i = 0; i < count; ++i)
+      here[i] = x[first + i] - RowMap(row(first + i), first).dot(RowMap(x, first));
+    for (int i = 0; i < count; ++i) {
+      const double* const row_i = row(first + i) + first;
+      for (int j = 0; j < i; ++j) here[i] -= row_i[j] * here[j];
+      x[first + i] = here[i] *= inverse_pivots_[first + i];
+    }
+  }
+}
+
+// x := L^-T x, the same way from the end.
+void PrescribedSolve::substitute_backward(double* x) const {
+  for (int end = rows(); end > 0;) {
+    const int first = (end - 1) / kRowsAtOnce * kRowsAtOnce, count = end - first;
+    std::array<double, kRowsAtOnce> here{};
+    for (int i = 0; i < count; ++i) here[i] = x[first + i];
+    for (int i = count - 1; i >= 0; --i) {
+      const double* const row_i = row(first + i) + first;
+      x[first + i] = here[i] *= inverse_pivots_[first + i];
+      for (int j = 0; j < i; ++j) here[j] -= here[i] * row_i[j];
+    }
+    Eigen::Map<Eigen::VectorXd> before(x, first);
+    if (count == kRowsAtOnce)
+      before -= here[0] * RowMap(row(first), first) + here[1] * RowMap(row(first + 1), first) +
+                here[2] * RowMap(row(first + 2), first) + here[3] * RowMap(row(first + 3), first);
+    else
+      for (int i = 0; i < count; ++i) before -= here[i] * RowMap(row(first + i), first);
+    end = first;
+  }
 }
 
 std::span<const double> PrescribedSolve::solve(const ProbeRows* probe_values,
@@ -80,12 +127,8 @@ std::span<const double> PrescribedSolve::solve(const ProbeRows* probe_values,
     else
       multipliers_.push_back(probe_values ? (*probe_values)[wanted.probe].value[wanted.index] : 0.0);
   }
-  Eigen::Map<Eigen::VectorXd> x(multipliers_.data(), rows());
-  for (int i = 0; i < rows(); ++i) x[i] = (x[i] - RowMap(row(i), i).dot(x.head(i))) / row(i)[i];
-  for (int i = rows() - 1; i >= 0; --i) {
-    x[i] /= row(i)[i];
-    x.head(i) -= x[i] * RowMap(row(i), i);
-  }
+  substitute_forward(multipliers_.data());
+  substitute_backward(multipliers_.data());
   return multipliers_;
 }
 

@@ -42,6 +42,9 @@ class PrescribedSolve {
     int index = 0;   // probe: axis; node: unknown 3 i + component
     bool operator==(const Row&) const = default;
   };
+  bool factor_rows(int first, int end);
+  void substitute_forward(double* x) const;
+  void substitute_backward(double* x) const;
   double entry(const Row& a, const Row& b) const;
   static std::ptrdiff_t begin_of(int i) { return static_cast<std::ptrdiff_t>(i) * (i + 1) / 2; }
   double* row(int i) { return factor_.data() + begin_of(i); }
@@ -53,8 +56,9 @@ class PrescribedSolve {
   int probe_rows_ = 0;
   int factored_ = 0;  // leading rows of factor_ that hold
   std::vector<Row> rows_, wanted_;
-  std::vector<double> factor_;  // lower triangle, one row after the other
-  std::vector<double> matrix_;  // C_DD, lower triangle, one row after the other
+  std::vector<double> factor_;          // lower triangle, one row after the other
+  std::vector<double> matrix_;          // C_DD, lower triangle, one row after the other
+  std::vector<double> inverse_pivots_;  // of factor_
   std::vector<double> multipliers_, brought_;
 };
 

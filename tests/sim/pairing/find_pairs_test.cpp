@@ -43,7 +43,7 @@ bool faces(const Body& nodes, int node, const Vec3& normal) {
   });
 }
 
-/// The definition of find_pairs(), looking at every polygon and without rounding: the polygon of each node that
+/// The definition of find_pairs(), looking at every polygon: the polygon of each node that
 /// collides.
 std::map<int, int> by_definition(const Body& a, const BodyMotion& motion_a, const Body& b,
                                  const BodyMotion& motion_b) {
@@ -51,8 +51,12 @@ std::map<int, int> by_definition(const Body& a, const BodyMotion& motion_a, cons
   std::map<int, int> found;
   for (int node = 0; node < a.rest.cols(); ++node) {
     const Vec3 rest = a.rest.col(node), now = now_a.col(node);
+    struct Behind {
+      int polygon = 0;
+      double distance = 0.0, depth = 0.0;
+    };
+    std::vector<Behind> behind;
     double least = std::numeric_limits<double>::infinity();
-    int nearest = -1;
     bool entered = false;
     for (int s = 0; s < std::ssize(b.polygons.triangles); ++s) {
       const Triangle& t = b.polygons.triangles[s];
@@ -67,13 +71,15 @@ std::map<int, int> by_definition(const Body& a, const BodyMotion& motion_a, cons
       entered = entered || times_entered(rest, now,
                                          {{b.rest.col(t[0]), b.rest.col(t[1]), b.rest.col(t[2])},
                                           {now_b.col(t[0]), now_b.col(t[1]), now_b.col(t[2])}}) > 0;
-      if ((now - now_b.col(t[0])).dot(normal_of(now_b, t)) >= 0.0) continue;
-      if (distance(now_b, now) < least) {
-        least = distance(now_b, now);
-        nearest = s;
-      }
+      const double depth = (now_b.col(t[0]) - now).dot(normal_of(now_b, t));
+      if (depth <= 0.0) continue;
+      behind.push_back({s, distance(now_b, now), depth});
+      least = std::min(least, behind.back().distance);
     }
-    if (nearest >= 0 && entered) found[node] = nearest;
+    // On a common edge the distances are alike but for rounding.
+    std::erase_if(behind, [&](const Behind& polygon) { return polygon.distance > least + 1e-9; });
+    if (!behind.empty() && entered)
+      found[node] = std::ranges::max_element(behind, {}, &Behind::depth)->polygon;
   }
   return found;
 }
@@ -81,8 +87,8 @@ std::map<int, int> by_definition(const Body& a, const BodyMotion& motion_a, cons
 /// Two boxes one above the other, turned and shaken a little so that nothing is as near as anything else, and a push
 /// of the upper one into the lower one.
 struct Pressed {
-  Model model;
-  FreeMotion motion;
+  Model model{};
+  FreeMotion motion{};
 };
 Pressed pressed(unsigned seed) {
   std::mt19937_64 random(seed);
@@ -124,9 +130,9 @@ RC_GTEST_PROP(FindPairs, TellsTheSameAfterAnyOtherPose, (unsigned seed)) {
   for (BodyMotion& body : other) body = {.displacement = 1.5 * body.displacement, .moved = true};
   Placement placement = rest_placement(model);
   Pairs pairs;
-  for (const FreeMotion* pose : std::array{&other, &motion}) {
-    place(model, *pose, placement);
-    find_pairs(model, *pose, placement, pairs);
+  for (const FreeMotion& pose : {other, motion}) {
+    place(model, pose, placement);
+    find_pairs(model, pose, placement, pairs);
   }
   const Pairs fresh = pairs_at(model, motion);
   RC_ASSERT(pairs.size() == fresh.size());
