@@ -92,7 +92,9 @@ constexpr std::array kBodyKeys{
         .takes = base::takes_three(Dimension::Length),
         .example = "[\"0 mm\", \"0 mm\", \"1 mm\"]",
         .fallback = "[\"0 mm\", \"0 mm\", \"0 mm\"]",
-        .meaning = "Moves the body, after `scale` and `rotate`. Bodies that overlap at rest are refused."},
+        .meaning =
+            "Moves the body, after `scale` and `rotate`. Bodies that overlap at rest by more than contact.overlap "
+            "are refused."},
     Key{.name = "regions",
         .takes = base::takes_table("one table [bodies.NAME.regions.GROUP] a region"),
         .absent = "one material throughout"},

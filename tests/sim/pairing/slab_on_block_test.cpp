@@ -62,11 +62,9 @@ TEST(SlabOnBlock, RoundingTakesNoContactAway) {
   }
 }
 
-class SlabPressed : public testing::TestWithParam<const char*> {};
-
 // Through half of its thickness, through all of it, and twice that.
-TEST_P(SlabPressed, DepthTakesNoContactAway) {
-  const std::vector<PressStep> curve = press_slab(6e-3, 60, {{"contact.model", GetParam()}});
+TEST(SlabOnBlock, DepthTakesNoContactAway) {
+  const std::vector<PressStep> curve = press_slab(6e-3, 60);
   const std::vector<PressStep> alone = press_slab(6e-3, 60, {kNone});
   double before = 0.0;
   for (std::size_t i = 0; i < curve.size(); ++i) {
@@ -77,9 +75,6 @@ TEST_P(SlabPressed, DepthTakesNoContactAway) {
     before = pushed_back(curve[i]);
   }
 }
-
-INSTANTIATE_TEST_SUITE_P(Laws, SlabPressed, testing::Values("kuroda"),
-                         [](const auto& law) { return std::string(law.param); });
 
 // A block that reaches 0.1 mm into the slab, as the scene declares: it is as if they touched.
 const std::vector<Override> kOverlapping{{"bodies.lower.offset", R"(["0.21 mm", "0.13 mm", "10.1 mm"])"},
