@@ -33,7 +33,7 @@ void add_pair(const std::array<std::string, 2>& names, const std::string& nodes_
   const auto a = std::ranges::find(model.bodies, names[0], &Body::name);
   const auto b = std::ranges::find(model.bodies, names[1], &Body::name);
   if (a == model.bodies.end() || b == model.bodies.end()) return;  // one of them is not present
-  refuse_overlap(*a, *b);
+  refuse_overlap(*a, *b, model.overlap);
   TouchPair pair{{static_cast<int>(a - model.bodies.begin()), static_cast<int>(b - model.bodies.begin())}};
   if (std::ranges::find(names, nodes_of) != names.end())
     pair.meets = {names[0] == nodes_of, names[1] == nodes_of};
@@ -44,7 +44,9 @@ Model compile_all(const Scene& scene, ComplianceCache& cache) {
   refuse_combinations(scene, effects(), probe_kinds());
   Model model{.scene = scene.name,
               .law = &contact_law(scene.contact.model),
-              .contact_tolerance = scene.contact.tolerance};
+              .contact_tolerance = scene.contact.tolerance,
+              .reading = scene.contact.reading,
+              .overlap = scene.contact.overlap};
   model.probes.resize(scene.probes.size());
   for (const BodySpec& spec : scene.bodies)
     if (spec.present) add_body(scene, spec, cache, model);

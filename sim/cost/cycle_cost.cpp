@@ -28,10 +28,9 @@ struct PressPose {
 };
 
 /// Whether the bodies, moved by the probes alone, have come together: whatever contact model then works.
-bool bodies_touch(const Model& model, ProbeDisplacements probes, Simulation& alone) {
+bool bodies_touch(const Model& model, ProbeDisplacements probes, Simulation& alone, Placement& placement) {
   alone.step(probes, kCyclePeriod);
   const FreeMotion motion = alone.motion();
-  Placement placement = rest_placement(model);
   place(model, motion, placement);
   Pairs pairs;
   find_pairs(model, motion, placement, pairs);
@@ -42,10 +41,11 @@ bool bodies_touch(const Model& model, ProbeDisplacements probes, Simulation& alo
 std::vector<PressPose> poses_to_time(const Model& model, const CycleSampling& sampling, Simulation& alone,
                                      bool& touching) {
   std::vector<PressPose> all, together;
+  Placement placement = rest_placement(model);
   for (int step = 1; step <= sampling.poses; ++step) {
     const double depth = sampling.depth * step / sampling.poses;
     all.push_back({depth, displaced_by(model, depth)});
-    if (bodies_touch(model, all.back().probes, alone)) together.push_back(all.back());
+    if (bodies_touch(model, all.back().probes, alone, placement)) together.push_back(all.back());
   }
   touching = !together.empty();
   return touching ? together : all;

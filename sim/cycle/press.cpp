@@ -6,16 +6,13 @@
 #include <chrono>
 #include <stdexcept>
 
-#include "sim/pairing/find_pairs.hpp"
+#include "sim/pairing/overlaps.hpp"
 
 namespace palpate::sim {
 namespace {
 
 std::vector<double> remaining_overlaps(const Model& model, const Simulation& simulation) {
-  const FreeMotion motion = simulation.motion();
-  Placement placement = rest_placement(model);
-  place(model, motion, placement);
-  return deepest_overlaps(model, motion, placement);
+  return deepest_overlaps(model, simulation.motion());
 }
 
 }  // namespace

@@ -151,21 +151,20 @@ BodySpec read_body(base::TomlReader reader, const std::string& name, const std::
   return body;
 }
 
-constexpr std::string_view kExact = "exact";
-
-/// A key that means something to one contact model only.
-void refuse_unless_exact(base::TomlReader& reader, std::string_view key, const ContactSpec& contact) {
-  if (contact.model != kExact)
+/// A key that one contact model alone knows.
+void refuse_other_models(const base::TomlReader& reader, std::string_view key, std::string_view model,
+                         const ContactSpec& contact) {
+  if (contact.model != model)
     reader.refuse(key, fmt::format("is for the contact model {}, and model is \"{}\"; accepted: the scene "
                                    "without it, or model = \"{}\"",
-                                   kExact, contact.model, kExact));
+                                   model, contact.model, model));
 }
 
 /// The body whose nodes alone meet polygons; nothing for those of both.
 std::string read_pairing(base::TomlReader& reader, const ContactSpec& contact) {
   constexpr std::string_view kNodesOf = "nodes of ";
   const std::string pairing = reader.text("pairing");
-  refuse_unless_exact(reader, "pairing", contact);
+  refuse_other_models(reader, "pairing", "exact", contact);
   if (pairing == "both") return {};
   std::string body = pairing.starts_with(kNodesOf) ? pairing.substr(kNodesOf.size()) : "";
   std::vector<std::string> accepted;
@@ -186,9 +185,14 @@ ContactSpec read_contact(base::TomlReader reader) {
     contact.touch.push_back({*(*pair)[0].value<std::string>(), *(*pair)[1].value<std::string>()});
   }
   contact.model = reader.word("model");
+  if (reader.has("overlap")) contact.overlap = reader.quantity("overlap");
+  if (reader.has("reading")) {
+    refuse_other_models(reader, "reading", "kuroda", contact);
+    contact.reading = reader.word("reading", kReadingWords);
+  }
   if (reader.has("pairing")) contact.nodes_of = read_pairing(reader, contact);
   if (reader.has("tolerance")) {
-    refuse_unless_exact(reader, "tolerance", contact);
+    refuse_other_models(reader, "tolerance", "exact", contact);
     contact.tolerance = reader.quantity("tolerance");
   }
   contact.effects = read_effects(reader, "contact");

@@ -50,9 +50,19 @@ struct BodySpec {
 /// The contact model of a scene that has no contact table.
 inline constexpr std::string_view kNoContact = "none";
 
+/// Which collisions the contact model `kuroda` carries out by equations (3), (4) of the paper.
+enum class Reading { EveryPair, Literal };
+inline constexpr base::EnumWords<Reading, 2> kReadingWords{
+    {{Reading::EveryPair, "every pair", "every node that has passed a polygon, and that polygon, move"},
+     {Reading::Literal, "literal",
+      "of the two polygons of a collision only the one with the larger force moves, and the node that has passed "
+      "it, as the paper does to reduce computation"}}};
+
 struct ContactSpec {
   std::vector<std::array<std::string, 2>> touch{};  // which bodies may touch
   std::string model{kNoContact};                    // a name that contact_model_words() lists
+  double overlap = 0.0;                             // of bodies at rest, by no more than this [m]
+  Reading reading = Reading::EveryPair;
   std::string nodes_of{};  // the body whose nodes alone meet the other's polygons; empty: those of both
   double tolerance = 0.0;  // part of the force that the law may be wrong by; 0: none
   EffectValues effects{};

@@ -94,7 +94,9 @@ constexpr std::array kBodyKeys{
         .takes = base::takes_three(Dimension::Length),
         .example = "[\"0 mm\", \"0 mm\", \"1 mm\"]",
         .fallback = "[\"0 mm\", \"0 mm\", \"0 mm\"]",
-        .meaning = "Moves the body, after `scale` and `rotate`. Bodies that overlap at rest are refused."},
+        .meaning =
+            "Moves the body, after `scale` and `rotate`. Bodies that overlap at rest by more than contact.overlap "
+            "are refused."},
     Key{.name = "regions",
         .takes = base::takes_table("one table [bodies.NAME.regions.GROUP] a region"),
         .absent = "one material throughout"},
@@ -132,6 +134,19 @@ constexpr std::array kContactKeys{
         .takes = base::takes_word(contact_model_words),
         .example = "\"kuroda\"",
         .meaning = "The contact model: what bodies that touch do to each other."},
+    Key{.name = "overlap",
+        .takes = base::takes_quantity(Dimension::Length, base::kNotNegative),
+        .example = "\"0.1 mm\"",
+        .absent = "none: bodies are apart or touch",
+        .meaning =
+            "How far bodies of the scene may reach into each other at rest. What they do counts as touching: "
+            "it is not felt."},
+    Key{.name = "reading",
+        .takes = base::takes_word(base::words_of<kReadingWords>),
+        .example = "\"literal\"",
+        .absent = "\"every pair\"",
+        .meaning = "With the contact model `kuroda`: how equations (3) and (4) of the paper are read.",
+        .along = "model = \"kuroda\""},
     Key{.name = "pairing",
         .takes = base::kText,
         .example = "\"nodes of prostate\"",

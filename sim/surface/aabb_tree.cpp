@@ -45,6 +45,28 @@ int split(AabbTree& tree, int first, int count, std::span<const Triangle> triang
   return self;
 }
 
+/// Sets the boxes, children before their parents.
+void fit(AabbTree& tree, std::span<const Triangle> triangles, const Eigen::Matrix3Xd& positions) {
+  for (auto node = tree.nodes.rbegin(); node != tree.nodes.rend(); ++node) {
+    if (node->left >= 0) {
+      const AabbTree::Node& left = tree.nodes[node->left];
+      const AabbTree::Node& right = tree.nodes[node->right];
+      node->lower = left.lower.cwiseMin(right.lower);
+      node->upper = left.upper.cwiseMax(right.upper);
+      continue;
+    }
+    Vec3 lower = Vec3::Constant(std::numeric_limits<double>::infinity()), upper = -lower;
+    for (int i = node->first; i < node->first + node->count; ++i) {
+      for (const int corner : triangles[tree.order[i]]) {
+        lower = lower.cwiseMin(positions.col(corner));
+        upper = upper.cwiseMax(positions.col(corner));
+      }
+    }
+    node->lower = lower;
+    node->upper = upper;
+  }
+}
+
 double squared_distance_to_box(const Vec3& place, const AabbTree::Node& box) {
   return ((box.lower - place).cwiseMax(place - box.upper)).cwiseMax(0.0).squaredNorm();
 }
@@ -56,34 +78,8 @@ AabbTree build_tree(std::span<const Triangle> triangles, const Eigen::Matrix3Xd&
   if (triangles.empty()) return tree;
   for (int i = 0; i < static_cast<int>(triangles.size()); ++i) tree.order.push_back(i);
   split(tree, 0, static_cast<int>(triangles.size()), triangles, positions);
-  refit(tree, triangles, positions, Eigen::Matrix3Xd::Zero(3, positions.cols()));
+  fit(tree, triangles, positions);
   return tree;
-}
-
-void refit(AabbTree& tree, std::span<const Triangle> triangles, const Eigen::Matrix3Xd& positions,
-           Eigen::Ref<const Eigen::Matrix3Xd> displacements) {
-  for (auto node = tree.nodes.rbegin(); node != tree.nodes.rend(); ++node) {
-    if (node->left >= 0) {
-      const AabbTree::Node& left = tree.nodes[node->left];
-      const AabbTree::Node& right = tree.nodes[node->right];
-      node->lower = left.lower.cwiseMin(right.lower);
-      node->upper = left.upper.cwiseMax(right.upper);
-      node->reach = std::max(left.reach, right.reach);
-      continue;
-    }
-    Vec3 lower = Vec3::Constant(std::numeric_limits<double>::infinity()), upper = -lower;
-    double squared_reach = 0.0;
-    for (int i = node->first; i < node->first + node->count; ++i) {
-      for (const int corner : triangles[tree.order[i]]) {
-        lower = lower.cwiseMin(positions.col(corner));
-        upper = upper.cwiseMax(positions.col(corner));
-        squared_reach = std::max(squared_reach, displacements.col(corner).squaredNorm());
-      }
-    }
-    node->lower = lower;
-    node->upper = upper;
-    node->reach = std::sqrt(squared_reach);
-  }
 }
 
 // The regions of the plane are told apart by barycentric signs. Source: [Ericson2005] section 5.1.5.
@@ -108,25 +104,9 @@ NearestPoint nearest_on_triangle(const Vec3& place, const Vec3& a, const Vec3& b
   return {.point = a + ab * (vb * scale) + ac * (vc * scale)};
 }
 
-namespace {
-
-/// Whether a place has moved against the outward normal of a polygon, beside what the polygon moved.
-bool comes_towards(const Triangle& corners, const Eigen::Matrix3Xd& positions, const Vec3& place,
-                   const CameFrom& from) {
-  const auto [a, b, c] = corners;
-  const Vec3 polygon = (positions.col(a) - from.positions.col(a) + positions.col(b) - from.positions.col(b) +
-                        positions.col(c) - from.positions.col(c)) /
-                       3.0;
-  const Vec3 corner = positions.col(a);
-  const Vec3 outward = (Vec3(positions.col(b)) - corner).cross(Vec3(positions.col(c)) - corner);
-  return (place - from.place - polygon).dot(outward) < 0.0;
-}
-
-}  // namespace
-
 NearestPolygon find_nearest(const AabbTree& tree, std::span<const Triangle> triangles,
-                            const Eigen::Matrix3Xd& positions, const Vec3& place, double moved,
-                            const CameFrom* from) {
+                            const Eigen::Matrix3Xd& positions, const Vec3& place, double within,
+                            std::span<const double> moved) {
   NearestPolygon best{.squared_distance = std::numeric_limits<double>::infinity()};
   if (tree.nodes.empty()) return best;
   std::array<int, kDeepest> stack{};
@@ -134,9 +114,7 @@ NearestPolygon find_nearest(const AabbTree& tree, std::span<const Triangle> tria
   stack[height++] = 0;
   while (height > 0) {
     const AabbTree::Node& node = tree.nodes[stack[--height]];
-    const double to_box = squared_distance_to_box(place, node);
-    const double reach = moved + node.reach;
-    if (to_box > reach * reach || to_box > best.squared_distance) continue;
+    if (squared_distance_to_box(place, node) > best.squared_distance) continue;
     if (node.left >= 0) {
       assert(height + 2 <= kDeepest);
       stack[height++] = node.right;
@@ -151,8 +129,8 @@ NearestPolygon find_nearest(const AabbTree& tree, std::span<const Triangle> tria
       const double squared = (nearest.point - place).squaredNorm();
       const bool nearer =
           squared < best.squared_distance || (squared == best.squared_distance && polygon < best.polygon);
-      if (squared <= reach * reach && nearer && (!from || comes_towards(corners, positions, place, *from)))
-        best = {polygon, squared, nearest};
+      const double reach = moved.empty() ? within : within + moved[polygon];
+      if (nearer && squared <= reach * reach) best = {polygon, squared, nearest};
     }
   }
   return best;

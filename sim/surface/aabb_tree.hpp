@@ -8,12 +8,10 @@
 
 namespace palpate::sim {
 
-/// Bounding boxes over the polygons of one body, and how far the nodes inside each box have moved at most.
-/// The shape is built once on the rest positions; refit() follows the body without allocating.
+/// Bounding boxes over the polygons of one body.
 struct AabbTree {
   struct Node {
     Vec3 lower = Vec3::Zero(), upper = Vec3::Zero();  // [m]
-    double reach = 0.0;                               // largest displacement of a node inside [m]
     int left = -1, right = -1;                        // children, -1 in a leaf
     int first = 0, count = 0;                         // a leaf's polygons: order[first .. first + count)
   };
@@ -23,10 +21,6 @@ struct AabbTree {
 
 AabbTree build_tree(std::span<const Triangle> triangles, const Eigen::Matrix3Xd& positions);
 
-/// @param positions, displacements  of the touchable nodes, 3 x t [m]
-void refit(AabbTree& tree, std::span<const Triangle> triangles, const Eigen::Matrix3Xd& positions,
-           Eigen::Ref<const Eigen::Matrix3Xd> displacements);
-
 /// The point of a triangle nearest to a place, and whether it lies in its face, on an edge or at a corner.
 struct NearestPoint {
   Vec3 point = Vec3::Zero();
@@ -35,23 +29,17 @@ struct NearestPoint {
 };
 NearestPoint nearest_on_triangle(const Vec3& place, const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// Where a place, and the polygons that it may have passed, were at rest.
-struct CameFrom {
-  const Vec3& place;
-  const Eigen::Matrix3Xd& positions;
-};
-
-/// The polygon nearest to `place` among those that it can have reached: nearer than `moved` plus what the
-/// polygon itself moved. With `from`, only those that it has come towards: nothing enters a body through a
-/// surface that goes before it, however near its other side has come. Ties go to the lower polygon number.
-/// polygon = -1 where there is none.
+/// The polygon nearest to `place` of those that are no farther from it than `within` plus what they have moved
+/// themselves. Ties go to the lower polygon number. polygon = -1 where there is none. What the tree looks like does
+/// not change the answer.
+/// @param moved  how far each polygon has moved [m]; empty: not at all
 struct NearestPolygon {
   int polygon = -1;
   double squared_distance = 0.0;  // [m^2]
   NearestPoint nearest{};
 };
 NearestPolygon find_nearest(const AabbTree& tree, std::span<const Triangle> triangles,
-                            const Eigen::Matrix3Xd& positions, const Vec3& place, double moved,
-                            const CameFrom* from = nullptr);
+                            const Eigen::Matrix3Xd& positions, const Vec3& place, double within,
+                            std::span<const double> moved = {});
 
 }  // namespace palpate::sim

@@ -16,7 +16,7 @@ Vec3 temporary_displacement(const CollidingPair& pair) {
 }
 
 /// The polygon of A beside node a that faces S most squarely; of two alike the lower number.
-int adjacent_polygon(const Body& body, const PlacedBody& placed, int node, const Vec3& normal_of_s) {
+int adjacent_polygon(const Body& body, PlacedBody& placed, int node, const Vec3& normal_of_s) {
   const int first = body.polygons.incident_begin[node];
   int adjacent = body.polygons.incident[first];
   double least = polygon_normal(body, placed, adjacent).dot(normal_of_s);
@@ -31,9 +31,12 @@ int adjacent_polygon(const Body& body, const PlacedBody& placed, int node, const
   return adjacent;
 }
 
-int polygon_beside_node(const Model& model, const KurodaScratch& scratch, const CollidingPair& pair) {
-  return adjacent_polygon(model.bodies[pair.node_body], scratch.placement[pair.node_body], pair.node,
-                          pair.normal);
+/// The polygon of A beside a, for every pair.
+void find_adjacent_polygons(const Model& model, KurodaScratch& scratch) {
+  scratch.beside.clear();
+  for (const CollidingPair& pair : scratch.pairs)
+    scratch.beside.push_back(adjacent_polygon(model.bodies[pair.node_body], scratch.placement[pair.node_body],
+                                              pair.node, pair.normal));
 }
 
 void ask_polygon(const Body& body, int polygon, const Vec3& displacement, int touch_pair, Claims& claims) {
@@ -44,12 +47,13 @@ void ask_polygon(const Body& body, int polygon, const Vec3& displacement, int to
 /// of A beside a yields by as much. (Where a node b of B has passed that polygon too, its own pair asks for F
 /// -> b, and the larger of the two is taken.)
 void ask_temporary(const Model& model, KurodaScratch& scratch) {
-  for (const CollidingPair& pair : scratch.pairs) {
+  for (std::size_t i = 0; i < scratch.pairs.size(); ++i) {
+    const CollidingPair& pair = scratch.pairs[i];
     const Vec3 u_temp = temporary_displacement(pair);
     ask_polygon(model.bodies[pair.polygon_body], pair.polygon, u_temp, pair.touch_pair,
                 scratch.temporary[pair.polygon_body].claims);
-    ask_polygon(model.bodies[pair.node_body], polygon_beside_node(model, scratch, pair), -u_temp,
-                pair.touch_pair, scratch.temporary[pair.node_body].claims);
+    ask_polygon(model.bodies[pair.node_body], scratch.beside[i], -u_temp, pair.touch_pair,
+                scratch.temporary[pair.node_body].claims);
   }
 }
 
@@ -73,7 +77,7 @@ bool deform_temporarily(const Model& model, const ProbeRows& probes, KurodaScrat
 }
 
 /// |f| of a polygon: the mean of the force vectors on its corners, projected onto its normal.
-double surface_force(const Model& model, const KurodaScratch& scratch, int body, int polygon) {
+double surface_force(const Model& model, KurodaScratch& scratch, int body, int polygon) {
   Vec3 sum = Vec3::Zero();
   for (const int node : model.bodies[body].polygons.triangles[polygon])
     sum += scratch.temporary[body].forces.segment<3>(3 * node);
@@ -81,8 +85,7 @@ double surface_force(const Model& model, const KurodaScratch& scratch, int body,
 }
 
 /// Resistance of S and of the polygon of A beside a: what the ratio of equations (3) and (4) is made of.
-PairShare share_of(const Model& model, const KurodaScratch& scratch, const CollidingPair& pair) {
-  const int beside = polygon_beside_node(model, scratch, pair);
+PairShare share_of(const Model& model, KurodaScratch& scratch, const CollidingPair& pair, int beside) {
   return {.polygon_force = surface_force(model, scratch, pair.polygon_body, pair.polygon),
           .node_force = surface_force(model, scratch, pair.node_body, beside)};
 }
@@ -107,12 +110,15 @@ std::optional<double> share_of_node(const Model& model, const KurodaScratch& scr
 }
 
 /// Equations (3) and (4): the node gives way by the polygon's share of the resistance, the polygon by the
-/// node's.
+/// node's. Read literally, only where S is the one of the two polygons with the larger force: else that of A moves, with
+/// the node of B that has passed it, which is a pair of its own or none.
 void ask_actual(const Model& model, const CollidingPair& pair, const PairShare& share,
                 KurodaScratch& scratch) {
   const Vec3 u_temp = temporary_displacement(pair);
   const std::optional<double> node_share = share_of_node(model, scratch, pair, share);
   if (!node_share) return;
+  const bool neither_held = *node_share > 0.0 && *node_share < 1.0;
+  if (model.reading == Reading::Literal && neither_held && share.polygon_force < share.node_force) return;
   const Vec3 u_a = -*node_share * u_temp;
   const Vec3 u_b = (1.0 - *node_share) * u_temp;
   scratch.bodies[pair.node_body].claims.ask(pair.node, u_a, pair.touch_pair);
@@ -130,11 +136,12 @@ SolveReport solve_kuroda(const Model& model, const FreeState& free, std::span<co
     claims.clear();
     hold_probed_nodes(model, free.probes, i, claims);
   }
+  find_adjacent_polygons(model, own);
   ask_temporary(model, own);
   if (!deform_temporarily(model, free.probes, own)) return {.stop = Stop::SingularMatrix};
-  for (const CollidingPair& pair : own.pairs) {
-    own.shares.push_back(share_of(model, own, pair));
-    ask_actual(model, pair, own.shares.back(), own);
+  for (std::size_t i = 0; i < own.pairs.size(); ++i) {
+    own.shares.push_back(share_of(model, own, own.pairs[i], own.beside[i]));
+    ask_actual(model, own.pairs[i], own.shares.back(), own);
   }
   return apply_claims(model, free, own, response);
 }
@@ -142,6 +149,7 @@ SolveReport solve_kuroda(const Model& model, const FreeState& free, std::span<co
 }  // namespace
 
 KurodaScratch::KurodaScratch(const Model& model) : PrescribedScratch(model) {
+  beside.reserve(most_pairs(model));
   shares.reserve(most_pairs(model));
   temporary.reserve(model.bodies.size());
   for (int i = 0; i < std::ssize(model.bodies); ++i) {

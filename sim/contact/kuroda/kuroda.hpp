@@ -24,7 +24,8 @@ struct KurodaScratch
   explicit KurodaScratch(const Model& model);
 
   std::vector<TemporaryBody> temporary;
-  std::vector<PairShare> shares;  // of `pairs`
+  std::vector<int> beside;        // of each of `pairs`: the polygon of A beside a
+  std::vector<PairShare> shares;  // of each of `pairs`
 };
 
 /// Kuroda et al. 2003 section 3.3, equations (1)-(4), one pass. Its scratch is a KurodaScratch.

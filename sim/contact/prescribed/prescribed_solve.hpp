@@ -29,8 +29,8 @@ class PrescribedSolve {
   int probe_rows() const { return probe_rows_; }
   /// Adds the displacements that the multipliers of the last solve bring, for any E that scaled them away.
   void add_displacement(Eigen::VectorXd& displacement) const;
-  /// The displacement of the node that stands at place `i` among those that factor() got, the same way.
-  Vec3 displacement_of_node(int i) const;
+  /// What the multipliers of the last solve bring in the order of rows(), for E = 1 Pa: C_DD f_D.
+  std::span<const double> brought();
   /// Adds E times the multipliers of the last solve as nodal forces [N].
   void add_forces(Eigen::VectorXd& forces) const;
   /// Force of probe `probe` on the body along its axes times E, in space [N].
@@ -42,19 +42,25 @@ class PrescribedSolve {
     int index = 0;   // probe: axis; node: unknown 3 i + component
     bool operator==(const Row&) const = default;
   };
+  bool factor_rows(int first, int end);
+  void substitute_forward(double* x) const;
+  void substitute_backward(double* x) const;
   double entry(const Row& a, const Row& b) const;
-  double* row(int i) { return factor_.data() + static_cast<std::ptrdiff_t>(i) * stride_; }
-  const double* row(int i) const { return factor_.data() + static_cast<std::ptrdiff_t>(i) * stride_; }
+  static std::ptrdiff_t begin_of(int i) { return static_cast<std::ptrdiff_t>(i) * (i + 1) / 2; }
+  double* row(int i) { return factor_.data() + begin_of(i); }
+  const double* row(int i) const { return factor_.data() + begin_of(i); }
 
   const Model* model_;
   const Body* body_;
-  int stride_ = 0;
+  int most_rows_ = 0;
   int probe_rows_ = 0;
   int factored_ = 0;                   // leading rows of factor_ that hold
   const ProbeRows* probes_ = nullptr;  // of the last factor()
   std::vector<Row> rows_, wanted_;
-  std::vector<double> factor_;  // lower triangle, one row after the other
-  std::vector<double> multipliers_;
+  std::vector<double> factor_;          // lower triangle, one row after the other
+  std::vector<double> matrix_;          // C_DD, lower triangle, one row after the other
+  std::vector<double> inverse_pivots_;  // of factor_
+  std::vector<double> multipliers_, brought_;
 };
 
 }  // namespace palpate::sim

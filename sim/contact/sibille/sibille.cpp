@@ -18,6 +18,11 @@ Vec3 node_normal(const Body& body, const PlacedBody& placed, int node) {
   return sum.normalized();
 }
 
+/// Where a node counts as being: of what bodies overlap at rest, each is taken to give way by half.
+Vec3 place_of(const CollidingPair& pair, const PrescribedScratch& scratch) {
+  return scratch.placement[pair.node_body].positions.col(pair.node) + 0.5 * pair.depth_at_rest * pair.normal;
+}
+
 /// Asks the colliding nodes of one pair of bodies to come to their plane.
 void ask_plane(const Model& model, int touch_pair, PrescribedScratch& scratch) {
   Vec3 barycentre = Vec3::Zero(), normal = Vec3::Zero();
@@ -26,7 +31,7 @@ void ask_plane(const Model& model, int touch_pair, PrescribedScratch& scratch) {
     if (pair.touch_pair != touch_pair) continue;
     const PlacedBody& placed = scratch.placement[pair.node_body];
     const double side = pair.node_body == model.pairs[touch_pair].bodies[0] ? 1.0 : -1.0;
-    barycentre += placed.positions.col(pair.node);
+    barycentre += place_of(pair, scratch);
     // the bodies face each other
     normal += side * node_normal(model.bodies[pair.node_body], placed, pair.node);
     ++colliding;
@@ -36,7 +41,7 @@ void ask_plane(const Model& model, int touch_pair, PrescribedScratch& scratch) {
   normal.normalize();
   for (const CollidingPair& pair : scratch.pairs) {
     if (pair.touch_pair != touch_pair) continue;
-    const Vec3 position = scratch.placement[pair.node_body].positions.col(pair.node);
+    const Vec3 position = place_of(pair, scratch);
     scratch.bodies[pair.node_body].claims.ask(pair.node, -(position - barycentre).dot(normal) * normal,
                                               touch_pair);
   }

@@ -100,6 +100,35 @@ TEST(Kuroda, OneContactIsClosedExactlyAndSharedByTheRatio) {
   EXPECT_LT(press(model, depth, 1).curve.back().penetration.front(), 1e-9 * pair.depth);
 }
 
+// Only where the polygon is the one of the two with the larger force do it and the node move; which that is, the
+// other reading tells as well.
+TEST(Kuroda, ReadLiterallyMovesTheSideOfTheLargerForce) {
+  const auto scene = write_two_boxes({.shift = 1.7e-3});
+  const Model every = compile_scene(scene);
+  const Model literal = compile_scene(scene, std::vector<Override>{{"contact.reading", "literal"}});
+  const Simulation all = pressed(every), some = pressed(literal);
+  const std::vector<PairShare>&shares = shares_of(some), &same = shares_of(all);
+  std::vector<std::vector<char>> expected{std::vector<char>(every.bodies[0].rest.cols(), 0),
+                                          std::vector<char>(every.bodies[1].rest.cols(), 0)};
+  int left_out = 0;
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    EXPECT_EQ(shares[i].polygon_force, same[i].polygon_force);  // temporary deformation is that of all pairs
+    const CollidingPair& pair = prescribed(some).pairs[i];
+    if (shares[i].polygon_force < shares[i].node_force) {
+      ++left_out;
+      continue;
+    }
+    expected[pair.node_body][pair.node] = 1;
+    for (const int corner : literal.bodies[pair.polygon_body].polygons.triangles[pair.polygon])
+      expected[pair.polygon_body][corner] = 1;
+  }
+  EXPECT_GT(left_out, 0);
+  EXPECT_LT(left_out, std::ssize(shares));
+  for (std::size_t body = 0; body < 2; ++body)
+    for (std::size_t node = 0; node < expected[body].size(); ++node)
+      EXPECT_EQ(prescribed(some).bodies[body].claims.squared[node] >= 0.0, expected[body][node] == 1);
+}
+
 TEST(Kuroda, ABodyAMillionTimesStifferDoesNotYield) {
   const auto scene = write_two_boxes({.shift = 1.7e-3});
   const Model model = compile_scene(scene, std::vector{lower_modulus("1e6 MPa")});

@@ -25,12 +25,13 @@ const Overrides kAbsent{{"bodies.prostate.present", "false"}};
 const Overrides kSoft{{"bodies.prostate.young_modulus", "1.0 MPa"}};
 const Overrides kHard{{"bodies.prostate.young_modulus", "5.0 MPa"}};
 
-Press pressed(const std::string& scene, Overrides condition, const char* law) {
+Press pressed(const std::string& scene, Overrides condition, const char* law, double depth = kDepth,
+              int steps = kSteps) {
   static ComplianceCache cache("");  // keeps what it has condensed
   condition.push_back({"contact.model", law});
   const auto file = std::filesystem::path(palpate::test::source_folder()) / "data/scenes" / scene;
   const Model model = compile(load_scene(file, condition), cache);
-  return press(model, kDepth, kSteps);
+  return press(model, depth, steps);
 }
 
 double force(const PressStep& step) {
@@ -78,6 +79,41 @@ TEST_P(Figure8, SibilleFeelsThatSomethingIsThereButNotHowHardItIs) {
   EXPECT_GT(on_prostate(soft.curve.back()).norm(), 0.0);
   EXPECT_LT((on_prostate(hard.curve.back()) - 5.0 * on_prostate(soft.curve.back())).norm(),
             1e-9 * on_prostate(hard.curve.back()).norm());
+}
+
+// To twice the wall's 4 mm: by steps of 0.5 mm, over which the law's jumps (docs/method.md) do not show.
+TEST(DeepPress, LosesNoContactThatItHasMade) {
+  const Press alone = pressed("rectal-palpation.toml", kSoft, "none", 8e-3, 16);
+  for (const Overrides& condition : {kSoft, kHard}) {
+    int pairs = 0;
+    double before = 0.0;
+    const Press deep = pressed("rectal-palpation.toml", condition, "kuroda", 8e-3, 16);
+    for (std::size_t i = 0; i < deep.curve.size(); ++i) {
+      const PressStep& step = deep.curve[i];
+      EXPECT_GE(step.pairs[0].active, pairs) << step.depth;
+      EXPECT_GT(force(step), before) << step.depth;
+      EXPECT_GT(force(step), force(alone.curve[i])) << step.depth;
+      pairs = step.pairs[0].active;
+      before = force(step);
+    }
+  }
+}
+
+// Read literally, most of what is left out shows: these are the method page's figures.
+TEST(LiteralReading, JumpsAsTheMethodPageSays) {
+  const Press every = pressed("rectal-palpation.toml", kSoft, "kuroda");
+  Overrides condition = kSoft;
+  condition.push_back({"contact.reading", "literal"});
+  const Press literal = pressed("rectal-palpation.toml", condition, "kuroda", 5e-3, 5000);
+  double jump = 0.0, overlap = 0.0;
+  for (std::size_t i = 0; i < literal.curve.size(); ++i) {
+    if (i > 0) jump = std::max(jump, force(literal.curve[i]) - force(literal.curve[i - 1]));
+    overlap = std::max(overlap, literal.curve[i].penetration[0]);
+  }
+  EXPECT_NEAR(jump, 2.42, 0.005);
+  EXPECT_NEAR(1e3 * overlap, 1.27, 0.005);
+  EXPECT_NEAR(force(literal.curve.back()), 32.3, 0.05);
+  EXPECT_NEAR(force(every.curve.back()), 41.8, 0.05);
 }
 
 // Neither law balances action and reaction; docs/method.md tells by how much, and these are its figures.
