@@ -1,5 +1,6 @@
 #include "sim/pairing/facing_pairs.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "sim/pairing/outward.hpp"
@@ -26,6 +27,10 @@ bool set_gap(const Vec3& distance, const Vec3& outward, double rounding, FacingP
 
 }  // namespace
 
+bool touches_at_rest(const Model& model, const FacingPair& pair) {
+  return -pair.gap <= model.overlap + rounding_of(model.bodies[pair.polygon_body].tree);
+}
+
 Faces face(const Body& nodes, const Body& polygons, const RigidPose& pose, double within, FacingPair& pair) {
   const TouchSurface& surface = polygons.polygons;
   if (polygons.tree.nodes.empty()) return Faces::Nothing;
@@ -51,11 +56,13 @@ void add_facing(const Model& model, int touch_pair, int node_body, int polygon_b
   for (const int node : nodes.colliding_nodes) {
     FacingPair pair{
         .touch_pair = touch_pair, .node_body = node_body, .node = node, .polygon_body = polygon_body};
-    // Bodies do not overlap at rest, so what is behind a surface is not within the body but beyond it, as what lies in
-    // the hollow of a tube whose outer wall may be touched.
-    if (face(nodes, model.bodies[polygon_body], {}, std::numeric_limits<double>::infinity(), pair) ==
-        Faces::Front)
-      pairs.push_back(pair);
+    // What lies deeper behind a surface than bodies may overlap at rest is not within the body but beyond it, as what
+    // lies in the hollow of a tube whose outer wall may be touched.
+    const Faces side =
+        face(nodes, model.bodies[polygon_body], {}, std::numeric_limits<double>::infinity(), pair);
+    if (side == Faces::Nothing || (side == Faces::Back && !touches_at_rest(model, pair))) continue;
+    pair.gap = std::max(0.0, pair.gap);
+    pairs.push_back(pair);
   }
 }
 

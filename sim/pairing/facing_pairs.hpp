@@ -32,6 +32,10 @@ enum class Faces { Nothing, Front, Back };
 /// @param pose  of the nodes' body, as that of the polygons sees it
 Faces face(const Body& nodes, const Body& polygons, const RigidPose& pose, double within, FacingPair& pair);
 
+/// Whether a node at the back of what it faces at rest counts as touching it: it is no deeper than the scene declares
+/// that bodies may overlap.
+bool touches_at_rest(const Model& model, const FacingPair& pair);
+
 /// Every node that can collide, of the bodies of each pair whose nodes meet polygons (TouchPair::meets), with the place that it faces. Nodes are left out whose
 /// own surface looks away from that place (the far side of a body), that lie behind it (beyond the body's wall), or that face the rim of a touchable patch, beyond
 /// which the surface is not known. Order: touch pairs as in the model; the nodes of the first body, then of the

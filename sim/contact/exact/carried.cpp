@@ -11,7 +11,7 @@ namespace palpate::sim {
 namespace {
 
 constexpr double kFar = 1e30;        // [m], of a contact that is left out
-constexpr double kSame = 1e-12;       // of a weight or a normal: less is rounding
+constexpr double kSame = 1e-12;      // of a weight or a normal: less is rounding
 constexpr double kFollows = 1.8;     // a length is at most sqrt(3) times its largest component
 constexpr double kFirstLook = 0.02;  // of the largest body's size
 
@@ -45,7 +45,9 @@ void add_candidates(const Model& model, int touch_pair, int node_body, int polyg
         .touch_pair = touch_pair, .node_body = node_body, .node = node, .polygon_body = polygon_body};
     const Faces side = face(model.bodies[node_body], model.bodies[polygon_body], {},
                             std::numeric_limits<double>::infinity(), pair);
-    if (side != Faces::Back) pairs.push_back(pair);
+    if (side == Faces::Back && !touches_at_rest(model, pair)) continue;
+    pair.gap = side == Faces::Back ? -pair.gap : 0.0;
+    pairs.push_back(pair);
   }
 }
 
@@ -86,19 +88,20 @@ std::vector<FacingPair> carried_pairs(const Model& model) {
   return pairs;
 }
 
-Carried::Carried(const Model& model, std::size_t contacts)
+Carried::Carried(const Model& model, std::span<const FacingPair> pairs)
     : turns(model.bodies.size(), Eigen::Matrix3d::Identity()),
       poses(model.bodies.size()),
-      is_near(contacts),
-      known(contacts),
-      filled(contacts),
+      is_near(pairs.size()),
+      known(pairs.size()),
+      filled(pairs.size()),
       moved(model.bodies.size()) {
   for (const Body& body : model.bodies) {
     influence.push_back(influence_of(body));
     start = std::max(start, kFirstLook * size_of(body));
   }
-  near.reserve(contacts);
-  renewed.reserve(contacts);
+  for (const FacingPair& pair : pairs) rest_overlap.push_back(pair.gap);
+  near.reserve(pairs.size());
+  renewed.reserve(pairs.size());
   within = start;
 }
 
@@ -155,7 +158,7 @@ bool meet(const Model& model, const ProbeRows& probes, Carried& carried, std::sp
         Faces::Nothing)
       continue;
     pair.normal = below.rotation * pair.normal;
-    gaps[i] = pair.gap + moved_by_regions(model, probes, pair);
+    gaps[i] = pair.gap + carried.rest_overlap[i] + moved_by_regions(model, probes, pair);
     carried.is_near[i] = 1;
     carried.near.push_back(static_cast<int>(i));
   }

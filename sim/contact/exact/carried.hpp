@@ -15,15 +15,17 @@ namespace palpate::sim {
 /// anew in every cycle from the rest surfaces where the regions have brought them. A contact keeps its place in the
 /// list: that of its node.
 struct Carried {
-  Carried(const Model& model, std::size_t contacts);
+  /// @param pairs  of carried_pairs()
+  Carried(const Model& model, std::span<const FacingPair> pairs);
 
   std::vector<Eigen::Matrix3d> turns{};  // of each body
   std::vector<RigidPose> poses{};        // likewise
   std::vector<int> near{};               // contacts that can touch in this cycle
-  std::vector<char> is_near{};                  // of each contact
-  std::vector<char> known{};                    // of each contact: the system's rows of those that are known are filled
-  std::vector<FacingPair> filled{};             // with these, which differ from what is now by rounding only
-  std::vector<int> renewed{};                   // contacts whose rows were filled in this cycle
+  std::vector<char> is_near{};           // of each contact
+  std::vector<double> rest_overlap{};    // of each contact: what counts as touching [m]
+  std::vector<char> known{};         // of each contact: the system's rows of those that are known are filled
+  std::vector<FacingPair> filled{};  // with these, which differ from what is now by rounding only
+  std::vector<int> renewed{};        // contacts whose rows were filled in this cycle
   std::vector<std::vector<double>>
       influence{};              // of each body's touchable nodes: the most that a newton on it moves
                                 // a node that can collide, for E = 1 Pa [m]
@@ -35,7 +37,8 @@ struct Carried {
 /// Whether a model has such bodies that may touch others.
 bool carries_bodies(const Model& model);
 
-/// Every node that may meet a surface: those that are behind it at rest never do.
+/// Every node that may meet a surface: those that are behind it at rest never do. Their gaps are what they overlap it
+/// by at rest.
 std::vector<FacingPair> carried_pairs(const Model& model);
 
 /// Brings the bodies to where the regions have them.

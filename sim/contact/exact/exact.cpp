@@ -67,7 +67,8 @@ Stop stop_of(ComplementarityReport::End end) {
 /// Gaps and system where probes and regions are now.
 void bring_rows(const Model& model, const ProbeRows& probes, ExactScratch& scratch) {
   if (scratch.carried) {
-    if (meet(model, probes, *scratch.carried, scratch.pairs, scratch.gaps, scratch.system)) scratch.solve.changed();
+    if (meet(model, probes, *scratch.carried, scratch.pairs, scratch.gaps, scratch.system))
+      scratch.solve.changed();
     return;
   }
   move_gaps(scratch.regions, probes, scratch.rest_gaps, scratch.gaps);
@@ -99,7 +100,7 @@ SolveReport solve_exact(const Model& model, const FreeState& free, std::span<con
 
 ExactScratch::ExactScratch(const Model& model)
     : pairs(carries_bodies(model) ? carried_pairs(model) : facing_pairs(model)),
-      carried(carries_bodies(model) ? std::optional<Carried>(std::in_place, model, pairs.size()) : std::nullopt),
+      carried(carries_bodies(model) ? std::optional<Carried>(std::in_place, model, pairs) : std::nullopt),
       regions(carried ? std::vector<RegionRows>() : region_rows(model, pairs)),
       sliding(carried ? std::vector<SlidingRows>() : sliding_rows(model, pairs)),
       system(carried ? empty_system(model, pairs.size()) : contact_system(model, pairs)),

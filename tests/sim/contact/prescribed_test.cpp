@@ -74,9 +74,11 @@ TEST(Claims, KeepTheLargerDisplacementAndTheFirstOfTwoAlike) {
 
 TEST(Claims, LeaveWhatAProbeHolds) {
   Claims claims(4);
-  claims.hold(std::vector<int>{1});
+  claims.hold(std::vector<int>{1, 2}, std::vector<double>{1.0, 0.0});
+  claims.ask(2, Vec3(1, 0, 0), 0);  // of its nodes, but without a weight where it is now
+  EXPECT_EQ(claims.nodes, (std::vector<int>{2}));
   claims.ask(1, Vec3(1, 0, 0), 0);
-  EXPECT_TRUE(claims.nodes.empty());
+  EXPECT_EQ(claims.nodes, (std::vector<int>{2}));
 }
 
 }  // namespace
