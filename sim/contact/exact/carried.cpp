@@ -5,7 +5,7 @@
 #include <functional>
 #include <limits>
 
-#include "sim/contact/exact/contact_system.hpp"
+#include "sim/contact/exact/coupling.hpp"
 
 namespace palpate::sim {
 namespace {
@@ -57,15 +57,15 @@ RigidPose seen_from(const RigidPose& first, const RigidPose& second) {
           second.rotation.transpose() * (first.shift - second.shift)};
 }
 
-/// What regions that do not carry their bodies as a whole have done to a gap.
-double moved_by_regions(const Model& model, const ProbeRows& probes, const FacingPair& pair) {
-  double moved = 0.0;
+/// What regions that do not carry their bodies as a whole have done to a contact.
+Vec3 moved_by_regions(const Model& model, const ProbeRows& probes, const FacingPair& pair) {
+  Vec3 moved = Vec3::Zero();
   for (std::size_t p = 0; p < model.probes.size(); ++p) {
     const Probe& probe = model.probes[p];
     if (!probe.region || probe.region->alone) continue;
     for (Eigen::Index mode = 0; mode < 12; ++mode)
       if (const double by = probes[p].region[mode]; by != 0.0)
-        moved += by * opened_by(pair, probe.body, probe.region->touch_motion.col(mode));
+        moved += by * relative_motion(pair, probe.body, probe.region->touch_motion.col(mode));
   }
   return moved;
 }
@@ -124,71 +124,96 @@ bool same(const FacingPair& a, const FacingPair& b) {
          (a.normal - b.normal).lpNorm<Eigen::Infinity>() <= kSame;
 }
 
-/// Fills what is not known, or has changed, among the contacts that are near.
-bool fill_changed(const Model& model, const ProbeRows& probes, Carried& carried, std::span<FacingPair> pairs,
-                  ContactSystem& system) {
+/// Sorts out what is known, and what has changed among the contacts that are near.
+void find_renewed(Carried& carried, std::span<FacingPair> pairs) {
   carried.renewed.clear();
   for (const int i : carried.near)
     if (carried.known[i] && same(pairs[i], carried.filled[i]))
       pairs[i] = carried.filled[i];
     else
       carried.renewed.push_back(i);
-  if (carried.renewed.empty()) return false;
+  if (carried.renewed.empty()) return;
   for (std::size_t i = 0; i < pairs.size(); ++i) carried.known[i] = carried.known[i] && carried.is_near[i];
   for (const int i : carried.renewed) {
     carried.known[i] = 1;
     carried.filled[i] = pairs[i];
   }
-  fill_contacts(model, probes, carried.turns, pairs, carried.renewed, carried.near, system);
-  return true;
+}
+
+/// The node's body as the polygon's body sees it.
+RigidPose seen(const Carried& carried, const FacingPair& pair) {
+  return seen_from(carried.poses[pair.node_body], carried.poses[pair.polygon_body]);
 }
 
 }  // namespace
 
-bool meet(const Model& model, const ProbeRows& probes, Carried& carried, std::span<FacingPair> pairs,
-          std::span<double> gaps, ContactSystem& system) {
+void meet(const Model& model, const ProbeRows& probes, Carried& carried, std::span<FacingPair> pairs,
+          std::span<double> gaps) {
   carried.near.clear();
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     FacingPair& pair = pairs[i];
     gaps[i] = kFar;
     carried.is_near[i] = 0;
-    const RigidPose& below = carried.poses[pair.polygon_body];
-    const RigidPose seen = seen_from(carried.poses[pair.node_body], below);
-    if (face(model.bodies[pair.node_body], model.bodies[pair.polygon_body], seen, carried.within, pair) ==
-        Faces::Nothing)
-      continue;
-    pair.normal = below.rotation * pair.normal;
-    gaps[i] = pair.gap + carried.rest_overlap[i] + moved_by_regions(model, probes, pair);
+    const Faces side = face(model.bodies[pair.node_body], model.bodies[pair.polygon_body],
+                            seen(carried, pair), carried.within, pair);
+    if (side == Faces::Nothing) continue;
+    const double gap = pair.gap + carried.rest_overlap[i];
+    pair.normal = carried.poses[pair.polygon_body].rotation * pair.normal;
     carried.is_near[i] = 1;
     carried.near.push_back(static_cast<int>(i));
+    gaps[i] = gap;
   }
-  return fill_changed(model, probes, carried, pairs, system);
+  find_renewed(carried, pairs);
+  for (const int i : carried.near) gaps[i] += pairs[i].normal.dot(moved_by_regions(model, probes, pairs[i]));
 }
 
-bool looked_far_enough(const Model& model, const ProbeRows& probes, std::span<const FacingPair> pairs,
-                       const ContactSystem& system, const ComplementaritySolve& solve, Carried& carried) {
+Vec3 gone(const Model& model, const ProbeRows& probes, const Carried& carried, const FacingPair& pair) {
+  const RigidPose pose = seen(carried, pair);
+  const Vec3 rest = model.bodies[pair.node_body].rest.col(pair.node);
+  return pose.rotation * rest + pose.shift - rest +
+         carried.turns[pair.polygon_body].transpose() * moved_by_regions(model, probes, pair);
+}
+
+void forget(Carried& carried) {
+  carried.within = carried.start;
+  std::ranges::fill(carried.known, 0);
+}
+
+void begin_giving_way(Carried& carried) {
   std::ranges::fill(carried.moved, 0.0);
-  const auto push = [&](int body, int node, double force) {
-    carried.moved[body] += carried.influence[body][node] * std::abs(force) / model.bodies[body].young_modulus;
-  };
-  for (const int row : solve.active().subspan(solve.holding())) {
-    const FacingPair& pair = pairs[static_cast<std::size_t>(row - system.bilateral)];
-    push(pair.node_body, pair.node, solve.forces()[row]);
-    for (std::size_t k = 0; k < 3; ++k)
-      push(pair.polygon_body, pair.corners[k],
-           pair.weights[static_cast<Eigen::Index>(k)] * solve.forces()[row]);
-  }
+}
+
+namespace {
+
+void push(const Model& model, int body, int node, double force, Carried& carried) {
+  carried.moved[body] += carried.influence[body][node] * std::abs(force) / model.bodies[body].young_modulus;
+}
+
+}  // namespace
+
+void give_way(const Model& model, const FacingPair& pair, double force, Carried& carried) {
+  push(model, pair.node_body, pair.node, force, carried);
+  for (std::size_t k = 0; k < 3; ++k)
+    push(model, pair.polygon_body, pair.corners[k], pair.weights[static_cast<Eigen::Index>(k)] * force,
+         carried);
+}
+
+void give_way(const Model& model, const ProbeRows& probes, std::span<const double> forces, Carried& carried) {
+  auto force = forces.begin();
   for (std::size_t p = 0; p < model.probes.size(); ++p) {
     const Probe& probe = model.probes[p];
     const std::span<const double> weights = weights_of(probe, probes[p]);
-    for (Eigen::Index axis = 0; axis < probe.axes.cols(); ++axis)
+    for (Eigen::Index axis = 0; axis < probe.axes.cols(); ++axis, ++force)
       for (std::size_t i = 0; i < probe.nodes.size(); ++i)
-        push(probe.body, probe.nodes[i], weights[i] * solve.forces()[system.first_of_probe[p] + axis]);
+        push(model, probe.body, probe.nodes[i], weights[i] * *force, carried);
     if (!probe.region || probe.region->alone) continue;
     for (Eigen::Index mode = 0; mode < 12; ++mode)
       carried.moved[probe.body] += kFollows * std::abs(probes[p].region[mode]) *
                                    probe.region->touch_motion.col(mode).lpNorm<Eigen::Infinity>();
   }
+}
+
+bool looked_far_enough(Carried& carried) {
   std::ranges::sort(carried.moved, std::greater());
   const double needed = carried.moved[0] + (carried.moved.size() > 1 ? carried.moved[1] : 0.0);
   if (needed <= carried.within) return true;

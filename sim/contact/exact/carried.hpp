@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "sim/contact/exact/complementarity.hpp"
 #include "sim/model/free_state.hpp"
 #include "sim/model/model.hpp"
 #include "sim/pairing/facing_pairs.hpp"
@@ -44,13 +43,23 @@ std::vector<FacingPair> carried_pairs(const Model& model);
 /// Brings the bodies to where the regions have them.
 void carry(const Model& model, const ProbeRows& probes, Carried& carried);
 
-/// Finds the contacts that are near, with gaps (others: so far that they never close), and fills the rows of the system
-/// that are others than they were. @return whether there were such
-bool meet(const Model& model, const ProbeRows& probes, Carried& carried, std::span<FacingPair> pairs,
-          std::span<double> gaps, ContactSystem& system);
+/// Finds the contacts that are near, with gaps (others: so far that they never close). Those whose rows in a system are
+/// others than they were are `renewed`.
+void meet(const Model& model, const ProbeRows& probes, Carried& carried, std::span<FacingPair> pairs,
+          std::span<double> gaps);
 
-/// Whether no contact that was left out can have closed under the forces of a solve; else looks farther from now on.
-bool looked_far_enough(const Model& model, const ProbeRows& probes, std::span<const FacingPair> pairs,
-                       const ContactSystem& system, const ComplementaritySolve& solve, Carried& carried);
+/// Where a contact's node is, as the polygon's body sees it, less where it was at rest; without what loads do.
+Vec3 gone(const Model& model, const ProbeRows& probes, const Carried& carried, const FacingPair& pair);
+
+/// Forgets that anything was known.
+void forget(Carried& carried);
+
+// How far the surfaces can have given way, to see whether a contact that was left out may have closed.
+void begin_giving_way(Carried& carried);
+void give_way(const Model& model, const FacingPair& pair, double force, Carried& carried);
+/// @param forces  along the axes of all probes, in their order
+void give_way(const Model& model, const ProbeRows& probes, std::span<const double> forces, Carried& carried);
+/// Whether no contact that was left out can have closed; else looks farther from now on.
+bool looked_far_enough(Carried& carried);
 
 }  // namespace palpate::sim

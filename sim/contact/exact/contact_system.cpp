@@ -8,13 +8,7 @@
 
 namespace palpate::sim {
 double opened_by(const FacingPair& pair, int body, Eigen::Ref<const Eigen::VectorXd> motion) {
-  double sum = 0.0;
-  if (pair.node_body == body) sum += pair.normal.dot(motion.segment<3>(3 * pair.node));
-  if (pair.polygon_body == body)
-    for (std::size_t k = 0; k < 3; ++k)
-      sum -= pair.weights[static_cast<Eigen::Index>(k)] *
-             pair.normal.dot(motion.segment<3>(3 * pair.corners[k]));
-  return sum;
+  return pair.normal.dot(relative_motion(pair, body, motion));
 }
 
 namespace {
@@ -56,18 +50,27 @@ void fill_with_probes(const Model& model, const ProbeRows& probes, const FacingP
 
 }  // namespace
 
-void fill_probes(const Model& model, const ProbeRows& probes, ContactSystem& system) {
+void write_between_probes(const Model& model, const ProbeRows& probes, Eigen::MatrixXd& compliance) {
+  const auto first_row = [&](int probe) {
+    Eigen::Index row = 0;
+    for (int before = 0; before < probe; ++before) row += model.probes[before].axes.cols();
+    return row;
+  };
   for (const Body& body : model.bodies)
     for (const int pressing : body.probes)
       for (Eigen::Index from = 0; from < model.probes[pressing].axes.cols(); ++from) {
         const auto motion = compliance_of(model.probes[pressing], probes[pressing]).col(from);
         for (const int measuring : body.probes)
           for (Eigen::Index to = 0; to < model.probes[measuring].axes.cols(); ++to)
-            system.compliance(system.first_of_probe[measuring] + to, system.first_of_probe[pressing] + from) =
+            compliance(first_row(measuring) + to, first_row(pressing) + from) =
                 measured(model.probes[measuring], weights_of(model.probes[measuring], probes[measuring]), to,
                          motion) /
                 body.young_modulus;
       }
+}
+
+void fill_probes(const Model& model, const ProbeRows& probes, ContactSystem& system) {
+  write_between_probes(model, probes, system.compliance);
   for (RegionPull& region : system.regions)
     for (const int other : model.bodies[model.probes[region.probe].body].probes)
       for (Eigen::Index axis = 0; axis < model.probes[other].axes.cols(); ++axis)

@@ -16,7 +16,10 @@ ContactSystem contact_system(const Model& model, std::span<const FacingPair> pai
 /// Room for so many contacts, their rows 0; what the probes' rows do to each other stands.
 ContactSystem empty_system(const Model& model, std::size_t contacts);
 
-/// What the probes' rows do to each other where the probes are now.
+/// What the probes' rows do to each other where the probes are now, which is the first block of a system.
+void write_between_probes(const Model& model, const ProbeRows& probes, Eigen::MatrixXd& compliance);
+
+/// That, and what they take off the regions.
 void fill_probes(const Model& model, const ProbeRows& probes, ContactSystem& system);
 
 /// Rows and columns of some of the contacts, with others and with the probes.

@@ -34,6 +34,15 @@ void add_body(const Model& model, const Eigen::Matrix3d& turn, int index, const 
 
 }  // namespace
 
+Vec3 relative_motion(const FacingPair& pair, int body, Eigen::Ref<const Eigen::VectorXd> motion) {
+  Vec3 apart = Vec3::Zero();
+  if (pair.node_body == body) apart += motion.segment<3>(3 * pair.node);
+  if (pair.polygon_body == body)
+    for (std::size_t k = 0; k < 3; ++k)
+      apart -= pair.weights[static_cast<Eigen::Index>(k)] * motion.segment<3>(3 * pair.corners[k]);
+  return apart;
+}
+
 Eigen::Matrix3d coupling(const Model& model, std::span<const Eigen::Matrix3d> turns,
                          const FacingPair& measured, const FacingPair& pushed) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();

@@ -8,6 +8,9 @@
 
 namespace palpate::sim {
 
+/// How a motion of the touchable nodes of a body, 3t, takes the two sides of a contact apart.
+Vec3 relative_motion(const FacingPair& pair, int body, Eigen::Ref<const Eigen::VectorXd> motion);
+
 /// How far the two sides of one contact move apart per newton that pushes those of another apart, 3 x 3 [m/N], in
 /// space: the block of sum over bodies of J C J^T / E before it is taken along normals.
 /// @param turns  of each body: the rotation of its frame
