@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "sim/contact/exact/coupling.hpp"
+#include "sim/pairing/outward.hpp"
 
 namespace palpate::sim {
 namespace {
@@ -43,18 +44,11 @@ void add_candidates(const Model& model, int touch_pair, int node_body, int polyg
   for (const int node : model.bodies[node_body].colliding_nodes) {
     FacingPair pair{
         .touch_pair = touch_pair, .node_body = node_body, .node = node, .polygon_body = polygon_body};
-    const Faces side = face(model.bodies[node_body], model.bodies[polygon_body], {},
-                            std::numeric_limits<double>::infinity(), pair);
+    const Faces side = face_at_rest(model, pair);
     if (side == Faces::Back && !touches_at_rest(model, pair)) continue;
     pair.gap = side == Faces::Back ? -pair.gap : 0.0;
     pairs.push_back(pair);
   }
-}
-
-/// The first body's place as the second sees it.
-RigidPose seen_from(const RigidPose& first, const RigidPose& second) {
-  return {second.rotation.transpose() * first.rotation,
-          second.rotation.transpose() * (first.shift - second.shift)};
 }
 
 /// What regions that do not carry their bodies as a whole have done to a contact.
@@ -91,6 +85,7 @@ std::vector<FacingPair> carried_pairs(const Model& model) {
 Carried::Carried(const Model& model, std::span<const FacingPair> pairs)
     : turns(model.bodies.size(), Eigen::Matrix3d::Identity()),
       poses(model.bodies.size()),
+      response(model),
       is_near(pairs.size()),
       known(pairs.size()),
       filled(pairs.size()),
@@ -99,20 +94,47 @@ Carried::Carried(const Model& model, std::span<const FacingPair> pairs)
     influence.push_back(influence_of(body));
     start = std::max(start, kFirstLook * size_of(body));
   }
-  for (const FacingPair& pair : pairs) rest_overlap.push_back(pair.gap);
+  for (const FacingPair& pair : pairs) {
+    const Body& body = model.bodies[pair.node_body];
+    rest_overlap.push_back(pair.gap);
+    looks.push_back(corner_normal(body.polygons, body.rest, pair.node));
+  }
+  far_until.resize(pairs.size());
+  last.assign(pairs.size(), -1);
   near.reserve(pairs.size());
   renewed.reserve(pairs.size());
   within = start;
 }
+
+namespace {
+
+/// The most that any place within a body's box goes between two poses: it is the most at a corner.
+double way_between(const Body& body, const RigidPose& before, const RigidPose& after) {
+  const AabbTree::Node& box = body.tree.nodes.front();
+  double most = 0.0;
+  for (int corner = 0; corner < 8; ++corner) {
+    Vec3 place = box.lower;
+    for (int k = 0; k < 3; ++k)
+      if (corner >> k & 1) place[k] = box.upper[k];
+    const Vec3 apart = (after.rotation - before.rotation) * place + after.shift - before.shift;
+    most = std::max(most, apart.norm());
+  }
+  return most;
+}
+
+}  // namespace
 
 void carry(const Model& model, const ProbeRows& probes, Carried& carried) {
   for (std::size_t p = 0; p < model.probes.size(); ++p) {
     const Probe& probe = model.probes[p];
     if (!probe.region || !probe.region->alone) continue;
     const Eigen::Matrix3d turn = rotation_of(probes[p].region);
+    const RigidPose pose{turn, probes[p].region.head<3>() + probe.at - turn * probe.at};
     if (turn != carried.turns[probe.body]) std::ranges::fill(carried.known, 0);
+    if (!model.bodies[probe.body].tree.nodes.empty())
+      carried.way += way_between(model.bodies[probe.body], carried.poses[probe.body], pose);
     carried.turns[probe.body] = turn;
-    carried.poses[probe.body] = {turn, probes[p].region.head<3>() + probe.at - turn * probe.at};
+    carried.poses[probe.body] = pose;
   }
 }
 
@@ -140,9 +162,38 @@ void find_renewed(Carried& carried, std::span<FacingPair> pairs) {
   }
 }
 
-/// The node's body as the polygon's body sees it.
-RigidPose seen(const Carried& carried, const FacingPair& pair) {
-  return seen_from(carried.poses[pair.node_body], carried.poses[pair.polygon_body]);
+/// A contact's node as the polygon's body sees it.
+Vec3 place_of(const Model& model, const Carried& carried, const FacingPair& pair) {
+  const RigidPose &node = carried.poses[pair.node_body], &polygon = carried.poses[pair.polygon_body];
+  const Vec3 there = node.rotation * model.bodies[pair.node_body].rest.col(pair.node) + node.shift;
+  return polygon.rotation.transpose() * (there - polygon.shift);
+}
+
+/// How far a place is from a polygon of a body, rounded up: nothing that is farther can be the nearest one.
+double distance_to(const Body& polygons, int polygon, const Vec3& place) {
+  if (polygon < 0) return std::numeric_limits<double>::infinity();
+  const auto [a, b, c] = polygons.polygons.triangles[polygon];
+  const Vec3 nearest =
+      nearest_on_triangle(place, polygons.rest.col(a), polygons.rest.col(b), polygons.rest.col(c)).point;
+  return (nearest - place).norm() + rounding_of(polygons.tree);
+}
+
+/// Sets what a contact faces. @return false where it is not near, or faces nothing
+bool comes_near(const Model& model, Carried& carried, std::size_t contact, FacingPair& pair) {
+  if (carried.far_until[contact] - carried.way > carried.within) return false;
+  const Body& polygons = model.bodies[pair.polygon_body];
+  const Vec3 place = place_of(model, carried, pair);
+  const double within = std::min(carried.within, distance_to(polygons, carried.last[contact], place));
+  const NearestPolygon found = nearest_of(polygons, place, within);
+  carried.last[contact] = found.polygon;
+  if (found.polygon < 0) {
+    const NearestPolygon far = nearest_of(polygons, place, std::numeric_limits<double>::infinity());
+    carried.far_until[contact] = carried.way + std::sqrt(far.squared_distance);
+    return false;
+  }
+  const Vec3 looks =
+      carried.turns[pair.polygon_body].transpose() * (carried.turns[pair.node_body] * carried.looks[contact]);
+  return face(polygons, found, place, looks, pair) != Faces::Nothing;
 }
 
 }  // namespace
@@ -154,9 +205,7 @@ void meet(const Model& model, const ProbeRows& probes, Carried& carried, std::sp
     FacingPair& pair = pairs[i];
     gaps[i] = kFar;
     carried.is_near[i] = 0;
-    const Faces side = face(model.bodies[pair.node_body], model.bodies[pair.polygon_body],
-                            seen(carried, pair), carried.within, pair);
-    if (side == Faces::Nothing) continue;
+    if (!comes_near(model, carried, i, pair)) continue;
     const double gap = pair.gap + carried.rest_overlap[i];
     pair.normal = carried.poses[pair.polygon_body].rotation * pair.normal;
     carried.is_near[i] = 1;
@@ -168,14 +217,17 @@ void meet(const Model& model, const ProbeRows& probes, Carried& carried, std::sp
 }
 
 Vec3 gone(const Model& model, const ProbeRows& probes, const Carried& carried, const FacingPair& pair) {
-  const RigidPose pose = seen(carried, pair);
-  const Vec3 rest = model.bodies[pair.node_body].rest.col(pair.node);
-  return pose.rotation * rest + pose.shift - rest +
+  return place_of(model, carried, pair) - model.bodies[pair.node_body].rest.col(pair.node) +
          carried.turns[pair.polygon_body].transpose() * moved_by_regions(model, probes, pair);
 }
 
 void forget(Carried& carried) {
   carried.within = carried.start;
+  carried.way = 0.0;
+  std::ranges::fill(carried.poses, RigidPose{});
+  std::ranges::fill(carried.turns, Eigen::Matrix3d(Eigen::Matrix3d::Identity()));
+  std::ranges::fill(carried.far_until, 0.0);
+  std::ranges::fill(carried.last, -1);
   std::ranges::fill(carried.known, 0);
 }
 
@@ -216,9 +268,9 @@ void give_way(const Model& model, const ProbeRows& probes, std::span<const doubl
 bool looked_far_enough(Carried& carried) {
   std::ranges::sort(carried.moved, std::greater());
   const double needed = carried.moved[0] + (carried.moved.size() > 1 ? carried.moved[1] : 0.0);
-  if (needed <= carried.within) return true;
-  carried.within = 1.5 * needed;
-  return false;
+  const bool enough = needed <= carried.within;
+  if (!enough || 2.5 * needed < carried.within) carried.within = std::max(carried.start, 1.5 * needed);
+  return enough;
 }
 
 }  // namespace palpate::sim

@@ -4,11 +4,18 @@
 #include <span>
 #include <vector>
 
+#include "sim/contact/exact/coupling.hpp"
 #include "sim/model/free_state.hpp"
 #include "sim/model/model.hpp"
 #include "sim/pairing/facing_pairs.hpp"
 
 namespace palpate::sim {
+
+/// Where a body's rest has been brought: R x + shift.
+struct RigidPose {
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  Vec3 shift = Vec3::Zero();
+};
 
 /// Contacts of bodies of which at least one is carried by a region as a whole, however far: what faces what is found
 /// anew in every cycle from the rest surfaces where the regions have brought them. A contact keeps its place in the
@@ -20,8 +27,13 @@ struct Carried {
   std::vector<Eigen::Matrix3d> turns{};  // of each body
   std::vector<RigidPose> poses{};        // likewise
   std::vector<int> near{};               // contacts that can touch in this cycle
+  PushResponse response;  // room for one contact's
   std::vector<char> is_near{};           // of each contact
   std::vector<double> rest_overlap{};    // of each contact: what counts as touching [m]
+  std::vector<Vec3> looks{};             // of each contact's node, out of its own surface at rest
+  std::vector<int> last{};  // of each contact: the polygon that was nearest when it was near, or -1
+  double way = 0.0;  // the most that anything has moved since the beginning, all motions added [m]
+  std::vector<double> far_until{};   // of each contact: it is farther than this less the way [m]
   std::vector<char> known{};         // of each contact: the system's rows of those that are known are filled
   std::vector<FacingPair> filled{};  // with these, which differ from what is now by rounding only
   std::vector<int> renewed{};        // contacts whose rows were filled in this cycle

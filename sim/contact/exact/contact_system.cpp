@@ -1,5 +1,6 @@
 #include "sim/contact/exact/contact_system.hpp"
 
+#include <algorithm>
 #include <numeric>
 #include <vector>
 
@@ -94,14 +95,16 @@ ContactSystem empty_system(const Model& model, std::size_t contacts) {
 
 void fill_contacts(const Model& model, const ProbeRows& probes, std::span<const Eigen::Matrix3d> turns,
                    std::span<const FacingPair> pairs, std::span<const int> which, std::span<const int> with,
-                   ContactSystem& system) {
+                   PushResponse& response, ContactSystem& system) {
   for (const int i : which) {
     const Eigen::Index row = system.bilateral + i;
     fill_with_probes(model, probes, pairs[i], row, system);
+    respond(model, turns, pairs[i], response);
     for (const int j : with) {
+      if (j < i && std::ranges::binary_search(which, j)) continue;  // both are of `which`: once is enough
       const Eigen::Index column = system.bilateral + j;
       system.compliance(row, column) = system.compliance(column, row) =
-          pairs[i].normal.dot(coupling(model, turns, pairs[i], pairs[j]) * pairs[j].normal);
+          pairs[j].normal.dot(coupling(turns, pairs[j], response) * pairs[i].normal);
     }
   }
 }
@@ -111,7 +114,8 @@ ContactSystem contact_system(const Model& model, std::span<const FacingPair> pai
   std::vector<int> all(pairs.size());
   std::iota(all.begin(), all.end(), 0);
   const std::vector<Eigen::Matrix3d> turns(model.bodies.size(), Eigen::Matrix3d::Identity());
-  fill_contacts(model, probe_rows(model), turns, pairs, all, all, system);
+  PushResponse response(model);
+  fill_contacts(model, probe_rows(model), turns, pairs, all, all, response, system);
   return system;
 }
 

@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "sim/contact/exact/coupling.hpp"
 #include "sim/contact/exact/system.hpp"
 #include "sim/model/free_state.hpp"
 #include "sim/model/model.hpp"
@@ -24,10 +25,10 @@ void fill_probes(const Model& model, const ProbeRows& probes, ContactSystem& sys
 
 /// Rows and columns of some of the contacts, with others and with the probes.
 /// @param turns  of each body: the rotation of its frame
-/// @param which, with  contacts, by index into `pairs`
+/// @param which, with  contacts, by index into `pairs`, ascending; `with` holds all of `which`
 void fill_contacts(const Model& model, const ProbeRows& probes, std::span<const Eigen::Matrix3d> turns,
                    std::span<const FacingPair> pairs, std::span<const int> which, std::span<const int> with,
-                   ContactSystem& system);
+                   PushResponse& response, ContactSystem& system);
 
 /// How a motion of the touchable nodes of a body, 3t, opens a gap.
 double opened_by(const FacingPair& pair, int body, Eigen::Ref<const Eigen::VectorXd> motion);

@@ -70,7 +70,8 @@ void bring_rows(const Model& model, const ProbeRows& probes, ExactScratch& scrat
     Carried& carried = *scratch.carried;
     meet(model, probes, carried, scratch.pairs, scratch.gaps);
     if (carried.renewed.empty()) return;
-    fill_contacts(model, probes, carried.turns, scratch.pairs, carried.renewed, carried.near, scratch.system);
+    fill_contacts(model, probes, carried.turns, scratch.pairs, carried.renewed, carried.near,
+                  carried.response, scratch.system);
     scratch.solve.changed();
     return;
   }

@@ -1,6 +1,7 @@
 #include "sim/contact/frictional/friction_system.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 #include "sim/contact/exact/contact_system.hpp"
 #include "sim/contact/exact/coupling.hpp"
@@ -50,17 +51,19 @@ FrictionSystem empty_friction_system(const Model& model, std::size_t contacts) {
 
 void fill_frictional(const Model& model, const ProbeRows& probes, std::span<const Eigen::Matrix3d> turns,
                      std::span<const FacingPair> pairs, std::span<const int> which, std::span<const int> with,
-                     FrictionSystem& system) {
+                     PushResponse& response, FrictionSystem& system) {
   for (const int i : which) system.frames[i] = frame_of(pairs[i].normal);
   for (const int i : which) {
     const Eigen::Index row = system.bilateral + 3 * i;
     fill_with_probes(model, probes, pairs[i], row, system.frames[i], system);
+    respond(model, turns, pairs[i], response);
     for (const int j : with) {
+      if (j < i && std::ranges::binary_search(which, j)) continue;  // both are of `which`: once is enough
       const Eigen::Index column = system.bilateral + 3 * j;
       const Eigen::Matrix3d block =
-          system.frames[i].transpose() * coupling(model, turns, pairs[i], pairs[j]) * system.frames[j];
-      system.compliance.block<3, 3>(row, column) = block;
-      system.compliance.block<3, 3>(column, row) = block.transpose();
+          system.frames[j].transpose() * coupling(turns, pairs[j], response) * system.frames[i];
+      system.compliance.block<3, 3>(column, row) = block;
+      system.compliance.block<3, 3>(row, column) = block.transpose();
     }
   }
 }

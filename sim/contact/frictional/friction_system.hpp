@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/contact/exact/coupling.hpp"
 #include "sim/model/free_state.hpp"
 #include "sim/model/model.hpp"
 #include "sim/pairing/facing_pairs.hpp"
@@ -25,10 +26,10 @@ FrictionSystem empty_friction_system(const Model& model, std::size_t contacts);
 
 /// Frames, and rows and columns of some of the contacts with others and with the probes.
 /// @param turns  of each body: the rotation of its frame
-/// @param which, with  contacts, by index into `pairs`
+/// @param which, with  contacts, by index into `pairs`, ascending; `with` holds all of `which`
 void fill_frictional(const Model& model, const ProbeRows& probes, std::span<const Eigen::Matrix3d> turns,
                      std::span<const FacingPair> pairs, std::span<const int> which, std::span<const int> with,
-                     FrictionSystem& system);
+                     PushResponse& response, FrictionSystem& system);
 
 /// The same for what the probes' rows do to each other and to the contacts, where the probes are now.
 void fill_probe_rows(const Model& model, const ProbeRows& probes, std::span<const FacingPair> pairs,

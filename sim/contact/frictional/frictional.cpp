@@ -45,7 +45,7 @@ void bring_rows(const Model& model, const ProbeRows& probes, FrictionalScratch& 
     Carried& carried = *scratch.carried;
     meet(model, probes, carried, scratch.pairs, scratch.normal_gaps);
     fill_frictional(model, probes, carried.turns, scratch.pairs, carried.renewed, carried.near,
-                    scratch.system);
+                    carried.response, scratch.system);
     scratch.near.assign(carried.near.begin(), carried.near.end());
   }
   if (any_slides(model)) fill_probe_rows(model, probes, scratch.pairs, scratch.near, scratch.system);
@@ -197,7 +197,8 @@ FrictionalScratch::FrictionalScratch(const Model& model)
   given.resize(rows);
   if (carried) return;
   const std::vector<Eigen::Matrix3d> turns(model.bodies.size(), Eigen::Matrix3d::Identity());
-  fill_frictional(model, probe_rows(model), turns, pairs, near, near, system);
+  PushResponse response(model);
+  fill_frictional(model, probe_rows(model), turns, pairs, near, near, response, system);
 }
 
 void FrictionalScratch::reset() {
