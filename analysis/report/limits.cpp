@@ -108,10 +108,11 @@ void add_test_limits(const StudyReport& report, std::vector<std::string>& limits
 
 void add_stimulus_limits(const StudyReport& report, std::vector<std::string>& limits) {
   double clamped = 0.0;
-  long missed = 0;
+  long missed = 0, at_cap = 0;
   for (const StimulusSummary& stimulus : report.stimuli) {
     clamped = std::max(clamped, stimulus.worst_clamped_fraction.value_or(0.0));
     missed += stimulus.missed_cycles.value_or(0);
+    at_cap += stimulus.cycles_at_cap.value_or(0);
   }
   if (clamped > 0) {
     limits.push_back(
@@ -122,6 +123,12 @@ void add_stimulus_limits(const StudyReport& report, std::vector<std::string>& li
   if (missed > 0) {
     limits.push_back(fmt::format("The haptic loop missed {} in all intervals together.",
                                  counted(missed, "cycle", "cycles")));
+  }
+  if (at_cap > 0) {
+    limits.push_back(
+        fmt::format("The contact's solution ended at its cap on iterations in {} of all intervals together; "
+                    "the bound of the force's error stands with the stimuli.",
+                    counted(at_cap, "cycle", "cycles")));
   }
   const bool scaled = std::ranges::any_of(
       report.sessions, [](const ReportedSession& session) { return session.force_scale != 1.0; });

@@ -95,7 +95,8 @@ struct StimulusSummary {
   double mean_presses = 0.0;
   std::optional<double> mean_exploration_s{}, mean_peak_force_n{}, mean_max_depth_m{};
   std::optional<double> worst_clamped_fraction{}, worst_loop_p999_ms{};
-  std::optional<long> missed_cycles{};
+  std::optional<double> worst_force_error_bound_n{};
+  std::optional<long> missed_cycles{}, cycles_within_tolerance{}, cycles_at_cap{};
 };
 
 struct VoidedTrial {

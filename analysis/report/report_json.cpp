@@ -212,7 +212,10 @@ ordered_json stimulus_json(const StimulusSummary& stimulus) {
           {"mean_max_depth_m", or_null(stimulus.mean_max_depth_m)},
           {"worst_clamped_fraction", or_null(stimulus.worst_clamped_fraction)},
           {"worst_loop_p999_ms", or_null(stimulus.worst_loop_p999_ms)},
-          {"missed_cycles", plain_or_null(stimulus.missed_cycles)}};
+          {"missed_cycles", plain_or_null(stimulus.missed_cycles)},
+          {"worst_force_error_bound_n", or_null(stimulus.worst_force_error_bound_n)},
+          {"cycles_within_tolerance", plain_or_null(stimulus.cycles_within_tolerance)},
+          {"cycles_at_cap", plain_or_null(stimulus.cycles_at_cap)}};
 }
 
 ordered_json session_json(const ReportedSession& session) {

@@ -25,6 +25,10 @@ void keep_largest(std::optional<Value>& largest, const std::optional<Value>& val
   if (value && (!largest || *value > *largest)) largest = value;
 }
 
+void count(std::optional<long>& all, const std::optional<long>& more) {
+  if (more) all = all.value_or(0) + *more;
+}
+
 }  // namespace
 
 std::vector<StimulusSummary> summarise_stimuli(const StudyDesign& design, const Selection& selection) {
@@ -48,9 +52,10 @@ std::vector<StimulusSummary> summarise_stimuli(const StudyDesign& design, const 
       sums.depth.add(interval.max_depth_m);
       keep_largest(sums.summary.worst_clamped_fraction, interval.clamped_fraction);
       keep_largest(sums.summary.worst_loop_p999_ms, interval.loop_p999_ms);
-      if (interval.missed_cycles) {
-        sums.summary.missed_cycles = sums.summary.missed_cycles.value_or(0) + *interval.missed_cycles;
-      }
+      keep_largest(sums.summary.worst_force_error_bound_n, interval.force_error_bound_n);
+      count(sums.summary.missed_cycles, interval.missed_cycles);
+      count(sums.summary.cycles_within_tolerance, interval.cycles_within_tolerance);
+      count(sums.summary.cycles_at_cap, interval.cycles_at_cap);
     }
   }
   std::vector<StimulusSummary> summaries;

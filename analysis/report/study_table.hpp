@@ -92,6 +92,8 @@ struct IntervalRow {
   std::optional<double> loop_rate_hz{};
   std::optional<double> loop_p999_ms{};  // 99.9 % of cycles began no later than this after the one before
   std::optional<long> missed_cycles{};
+  std::optional<double> force_error_bound_n{};                     // the largest of a cycle
+  std::optional<long> cycles_within_tolerance{}, cycles_at_cap{};  // whose solution ended there
 };
 
 /// One question. A trial that was not answered yet is not in the table.

@@ -12,6 +12,10 @@
 namespace palpate::analysis {
 namespace {
 
+std::string optional_count(const std::optional<long>& value) {
+  return value ? std::to_string(*value) : kNotAvailable;
+}
+
 std::string optional_number(const std::optional<double>& value, double scale = 1.0) {
   return value ? number(scale * *value) : kNotAvailable;
 }
@@ -66,6 +70,24 @@ TextTable examinee_table(const StudyReport& report) {
   return table;
 }
 
+/// How exactly the loop's cycles computed the force, where that was recorded.
+void add_solution(const StudyReport& report, TextTable& table) {
+  if (std::ranges::none_of(report.stimuli,
+                           [](const auto& stimulus) { return stimulus.cycles_at_cap.has_value(); }))
+    return;
+  for (const char* column : {"force error (mN), at most", "ended early", "at the cap"})
+    table.header.push_back(column);
+  for (std::size_t i = 0; i < report.stimuli.size(); ++i) {
+    const StimulusSummary& stimulus = report.stimuli[i];
+    table.rows[i].push_back(optional_number(stimulus.worst_force_error_bound_n, 1000));
+    table.rows[i].push_back(optional_count(stimulus.cycles_within_tolerance));
+    table.rows[i].push_back(optional_count(stimulus.cycles_at_cap));
+  }
+  table.note +=
+      " Force error: the largest bound of a cycle; its solution of the contact ended early in as many cycles, "
+      "within the tolerance that the scene sets, and in others at the cap on iterations.";
+}
+
 TextTable stimulus_table(const StudyReport& report) {
   TextTable table{
       .title = "Stimuli as they were explored",
@@ -79,13 +101,13 @@ TextTable stimulus_table(const StudyReport& report) {
          optional_number(stimulus.mean_exploration_s), optional_number(stimulus.mean_peak_force_n),
          optional_number(stimulus.mean_max_depth_m, 1000),
          stimulus.worst_clamped_fraction ? percent(*stimulus.worst_clamped_fraction) : kNotAvailable,
-         optional_number(stimulus.worst_loop_p999_ms),
-         stimulus.missed_cycles ? std::to_string(*stimulus.missed_cycles) : kNotAvailable});
+         optional_number(stimulus.worst_loop_p999_ms), optional_count(stimulus.missed_cycles)});
   }
   table.note =
       "Means over intervals, but for the worst values and the sum of missed cycles. Shown again: presentations "
       "that did not count, for they were not explored enough or were cut off. A loop that did not run "
       "in real time (simulated examinees) has no timing.";
+  add_solution(report, table);
   return table;
 }
 

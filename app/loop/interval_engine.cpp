@@ -45,8 +45,15 @@ double IntervalEngine::probe_force() {
   probes_.front().from_rest = probe_.displacement;
   const sim::CycleResult result = simulation_.step(probes_, kCycleSeconds);
   if (!sim::solved(result.solve.stop)) return std::numeric_limits<double>::quiet_NaN();
+  record(result.solve);
   force_on_finger_ = result.probe_forces.front();
   return sim::normal_force(finger, force_on_finger_);
+}
+
+void IntervalEngine::record(const sim::SolveReport& solve) {
+  solve_record_.force_error_bound = std::max(solve_record_.force_error_bound, solve.force_error_bound);
+  if (solve.stop == sim::Stop::WithinTolerance) ++solve_record_.cycles_within_tolerance;
+  if (solve.stop == sim::Stop::CapReached) ++solve_record_.cycles_at_cap;
 }
 
 /// The hand is followed only while it is known, its input is fresh and nothing is wrong; else the finger is

@@ -58,6 +58,8 @@ class IntervalEngine {
   // Not while another thread ticks.
   const IntervalState& state() const { return state_; }
   const trials::Trace& trace() const { return trace_; }
+  /// Of all cycles so far that gave a force.
+  const trials::SolveRecord& solve_record() const { return solve_record_; }
   const sim::Model& model() const { return *model_; }
   /// Direction of the press, unit length.
   const sim::Vec3& press() const { return probe_.direction; }
@@ -70,6 +72,7 @@ class IntervalEngine {
  private:
   void advance(const HandInput& hand, int elapsed);
   double probe_force();
+  void record(const sim::SolveReport& solve);
   void deliver();
   sim::Vec3 target(const HandInput& hand) const;
   void record();
@@ -89,6 +92,7 @@ class IntervalEngine {
   trials::PressCounter presses_{};
   double deepest_ = 0.0;  // place of the hand [m]
   trials::Trace trace_;
+  trials::SolveRecord solve_record_{};
   IntervalState state_{};
   CycleHandover felt_;
 };

@@ -89,6 +89,11 @@ analysis::IntervalRow interval_of(const trials::Protocol& protocol,
     row.loop_p999_ms = presentation.loop->p999_ms;
     row.missed_cycles = presentation.loop->missed_cycles;
   }
+  if (presentation.solve) {
+    row.force_error_bound_n = presentation.solve->force_error_bound;
+    row.cycles_within_tolerance = presentation.solve->cycles_within_tolerance;
+    row.cycles_at_cap = presentation.solve->cycles_at_cap;
+  }
   return row;
 }
 

@@ -4,64 +4,22 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <stdexcept>
 
-#include "sim/cycle/press.hpp"
-#include "sim/pairing/find_pairs.hpp"
+#include "sim/cost/press_poses.hpp"
 
 namespace palpate::sim {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr std::size_t kNeighbours = 4;  // on each side
-
-double microseconds_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
-}
-
-struct PressPose {
-  double depth = 0.0;  // [m]
-  std::vector<ProbeDisplacement> probes{};
-};
-
-/// Whether the bodies, moved by the probes alone, have come together: whatever contact model then works.
-bool bodies_touch(const Model& model, ProbeDisplacements probes, Simulation& alone, Placement& placement) {
-  alone.step(probes, kCyclePeriod);
-  const FreeMotion motion = alone.motion();
-  place(model, motion, placement);
-  Pairs pairs;
-  find_pairs(model, motion, placement, pairs);
-  return !pairs.empty();
-}
-
-/// From shallow to deep: those at which bodies touch, or all if there are none of these.
-std::vector<PressPose> poses_to_time(const Model& model, const CycleSampling& sampling, Simulation& alone,
-                                     bool& touching) {
-  std::vector<PressPose> all, together;
-  Placement placement = rest_placement(model);
-  for (int step = 1; step <= sampling.poses; ++step) {
-    const double depth = sampling.depth * step / sampling.poses;
-    all.push_back({depth, displaced_by(model, depth)});
-    if (bodies_touch(model, all.back().probes, alone, placement)) together.push_back(all.back());
-  }
-  touching = !together.empty();
-  return touching ? together : all;
-}
-
-Model with_law(Model model, const ContactLaw& law) {
-  model.law = &law;
-  return model;
-}
 
 double median_read(const ContactSet& set) {
   constexpr int kBatches = 201, kReads = 50;  // one read is near the clock's own time
   std::vector<double> times;
   double sum = 0.0;
   for (int batch = 0; batch < kBatches; ++batch) {
-    const auto start = Clock::now();
+    const auto start = CycleClock::now();
     for (int read = 0; read < kReads; ++read) {
       sum += read_once(set);
       std::atomic_signal_fence(std::memory_order_seq_cst);  // else the compiler reads once for all
@@ -77,13 +35,6 @@ long interruptions() {
   rusage usage{};
   getrusage(RUSAGE_THREAD, &usage);
   return usage.ru_nivcsw;
-}
-
-/// There and back: 0, 1, ..., n - 1, n - 2, ..., 1.
-std::size_t to_and_fro(int cycle_number, std::size_t poses) {
-  if (poses == 1) return 0;
-  const std::size_t at = static_cast<std::size_t>(cycle_number) % (2 * poses - 2);
-  return at < poses ? at : 2 * poses - 2 - at;
 }
 
 }  // namespace
@@ -136,15 +87,15 @@ struct CycleTimes {
 CycleTimes time_cycles(const std::vector<PressPose>& poses, const CycleSampling& sampling, Simulation& alone,
                        Simulation& whole) {
   CycleTimes times{.by_pose = std::vector<std::vector<double>>(poses.size())};
-  const auto started = Clock::now();
+  const auto started = CycleClock::now();
   const int warm_up = 2 * static_cast<int>(poses.size());
   for (int i = 0; i < warm_up + sampling.most_cycles; ++i) {
     if (microseconds_since(started) > 1e6 * sampling.most_seconds && i > 2 * warm_up) break;
     const std::size_t p = to_and_fro(i, poses.size());
-    const auto start = Clock::now();
+    const auto start = CycleClock::now();
     alone.step(poses[p].probes, kCyclePeriod);
     const double by_probes = microseconds_since(start);
-    const auto again = Clock::now();
+    const auto again = CycleClock::now();
     whole.step(poses[p].probes, kCyclePeriod);
     const double all = microseconds_since(again);
     if (i < warm_up) continue;

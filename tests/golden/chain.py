@@ -5,7 +5,7 @@ import sqlite3
 
 # Lines of a text that no two runs share.
 CLOCKS = ("begun", "onset", "started", "version", "machine", "question onset", "committed", "utc", "loop rate",
-          "loop p999", "missed", "felt before")
+          "loop p999", "missed", "force bound", "within tolerance", "at cap", "felt before")
 
 
 def sha256(text):
@@ -51,6 +51,9 @@ def presentation_text(row):
         line("max depth", shortest(row["max_depth_m"] or 0)), line("clamped", shortest(row["clamped_fraction"] or 0)),
         line("loop rate", shortest(row["loop_rate_hz"])), line("loop p999", shortest(row["loop_p999_ms"])),
         line("missed", -1 if row["missed_cycles"] is None else row["missed_cycles"]),
+        "" if row["force_error_bound_n"] is None else
+        line("force bound", shortest(row["force_error_bound_n"])) +
+        line("within tolerance", row["cycles_within_tolerance"]) + line("at cap", row["cycles_at_cap"]),
         line("samples", row["samples"] or 0), line("trace", row["sha256"] or "")])
 
 
@@ -82,7 +85,8 @@ def entries(database):
     trials = {(row["session"], row["number"], row["draw"]): row for row in database.execute("SELECT * FROM trial")}
     felt = {}
     for row in database.execute("SELECT * FROM presentation LEFT JOIN presentation_end ON presentation = id "
-                                "LEFT JOIN trace USING (presentation) ORDER BY id"):
+                                "LEFT JOIN trace USING (presentation) LEFT JOIN presentation_solve USING (presentation) "
+                                "ORDER BY id"):
         felt.setdefault((row["session"], row["trial"], row["draw"]), []).append(row)
     found = {}
     for row in database.execute("SELECT * FROM answer"):

@@ -53,6 +53,7 @@ void Session::State::store_end(const IntervalRecord& record, Verdict verdict) {
   end.exploration = summarise(record.trace);
   end.clamped_fraction = record.clamped_fraction;
   end.loop = record.loop;
+  end.solve = record.solve;
   end.samples = record.trace.size();
   const std::string encoded = encode(record.trace);
   end.trace_sha256 = base::sha256_hex(encoded);

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "base/text/utf8.hpp"
+#include "trials/study/schema.hpp"
 
 namespace palpate::trials {
 namespace {
@@ -49,7 +50,9 @@ SQLite::Database open_for_writing(const std::filesystem::path& file) {
 
 SQLite::Database open_for_reading(const std::filesystem::path& file) {
   const std::string name = uri(file, may_be_written(file) ? "mode=ro" : "mode=ro&immutable=1");
-  return {name, SQLite::OPEN_READONLY | SQLite::OPEN_URI, kWaitForOtherWriters};
+  SQLite::Database database(name, SQLite::OPEN_READONLY | SQLite::OPEN_URI, kWaitForOtherWriters);
+  supply_later_tables(database);
+  return database;
 }
 
 std::uintmax_t write_ahead_log_size(const std::filesystem::path& file) {

@@ -12,7 +12,7 @@ namespace palpate::trials {
 /// Opens for writing: foreign keys on, every commit flushed to the disk (synchronous=FULL), write-ahead log.
 SQLite::Database open_for_writing(const std::filesystem::path& file);
 
-/// Opens for reading; the file's bytes are not touched. Without a write-ahead log beside it (nobody has it
+/// Opens for reading; the file's bytes are not touched. See supply_later_tables() for an older one. Without a write-ahead log beside it (nobody has it
 /// open, and nobody was killed while writing) not even an index file is made, so that a read-only folder will
 /// do.
 SQLite::Database open_for_reading(const std::filesystem::path& file);

@@ -47,6 +47,11 @@ void add(std::string& text, const Protocol& design, const PresentationRow& felt)
   add(text, "loop rate", felt.loop ? std::optional(felt.loop->rate_hz) : std::nullopt);
   add(text, "loop p999", felt.loop ? std::optional(felt.loop->p999_ms) : std::nullopt);
   add(text, "missed", felt.loop ? felt.loop->missed_cycles : -1);
+  if (felt.solve) {  // without it the text is that of version 1 of the study file, whose hashes stay right
+    add(text, "force bound", std::optional(felt.solve->force_error_bound));
+    add(text, "within tolerance", felt.solve->cycles_within_tolerance);
+    add(text, "at cap", felt.solve->cycles_at_cap);
+  }
   add(text, "samples", static_cast<std::int64_t>(felt.samples));
   add(text, "trace", felt.trace_sha256);
 }

@@ -48,6 +48,13 @@ void PresentationStore::end(const PresentationRow& p, const std::string& encoded
   Query(database_, "INSERT INTO trace (presentation, samples, sha256, columns) VALUES (?, ?, ?, ?)", p.id,
         static_cast<std::int64_t>(p.samples), p.trace_sha256, Blob{encoded_trace})
       .run();
+  if (!p.solve) return;
+  Query(database_,
+        "INSERT INTO presentation_solve (presentation, force_error_bound_n, cycles_within_tolerance, "
+        "cycles_at_cap) VALUES (?, ?, ?, ?)",
+        p.id, p.solve->force_error_bound, std::int64_t{p.solve->cycles_within_tolerance},
+        std::int64_t{p.solve->cycles_at_cap})
+      .run();
 }
 
 std::vector<PresentationRow> PresentationStore::of_session(std::int64_t session) const {
@@ -56,9 +63,10 @@ std::vector<PresentationRow> PresentationStore::of_session(std::int64_t session)
       database_,
       "SELECT id, trial, draw, interval, attempt, condition, begun_utc, onset_utc, verdict, n_presses, "
       "exploration_time_s, peak_force_n, max_depth_m, clamped_fraction, loop_rate_hz, loop_p999_ms, "
-      "missed_cycles, samples, sha256 FROM presentation LEFT JOIN presentation_end ON "
-      "presentation_end.presentation = id LEFT JOIN trace ON trace.presentation = id WHERE session = ? ORDER "
-      "BY id",
+      "missed_cycles, samples, sha256, force_error_bound_n, cycles_within_tolerance, cycles_at_cap FROM "
+      "presentation LEFT JOIN presentation_end ON presentation_end.presentation = id LEFT JOIN trace ON "
+      "trace.presentation = id LEFT JOIN presentation_solve ON presentation_solve.presentation = id WHERE "
+      "session = ? ORDER BY id",
       session);
   while (rows.next()) {
     PresentationRow p;
@@ -78,6 +86,7 @@ std::vector<PresentationRow> PresentationStore::of_session(std::int64_t session)
       if (!rows.is_null(14)) p.loop = LoopTiming{rows.real(14), rows.real(15), rows.integer(16)};
       p.samples = rows.integer(17);
       p.trace_sha256 = rows.text(18);
+      if (!rows.is_null(19)) p.solve = SolveRecord{rows.real(19), rows.integer(20), rows.integer(21)};
     }
     found.push_back(std::move(p));
   }

@@ -65,7 +65,8 @@ struct PresentationRow {
   ExplorationSummary exploration{};
   double clamped_fraction = 0.0;
   std::optional<LoopTiming> loop{};
-  std::size_t samples = 0;  // of its trace; load_trace() reads it
+  std::optional<SolveRecord> solve{};  // none either of a loop that an older palpate recorded
+  std::size_t samples = 0;             // of its trace; load_trace() reads it
   std::string trace_sha256{};
 
   bool closed() const { return verdict.has_value(); }

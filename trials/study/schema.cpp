@@ -120,6 +120,18 @@ constexpr std::array kTableNames{
     "study", "study_file", "session", "trial", "presentation", "presentation_end",
     "trace", "ledger",     "answer",  "event"};
 
+constexpr const char* kSolveTable = R"sql(
+CREATE TABLE presentation_solve (
+  presentation            INTEGER PRIMARY KEY REFERENCES presentation_end (presentation),
+  force_error_bound_n     REAL NOT NULL,
+  cycles_within_tolerance INTEGER NOT NULL,
+  cycles_at_cap           INTEGER NOT NULL
+) STRICT;
+)sql";
+constexpr const char* kSolveTableInMemory =
+    "CREATE TEMP TABLE presentation_solve (presentation, force_error_bound_n, cycles_within_tolerance, "
+    "cycles_at_cap)";
+
 /// Rows are only ever added: a correction is an event of its own.
 std::string append_only(const char* table, const char* action) {
   return fmt::format(
@@ -135,32 +147,56 @@ std::map<std::string, std::string> objects(SQLite::Database& database) {
   return found;
 }
 
+void refuse_changes(SQLite::Database& database, const char* table) {
+  for (const char* action : {"UPDATE", "DELETE"}) database.exec(append_only(table, action));
+}
+
+void create_version_1(SQLite::Database& database) {
+  database.exec(kTables);
+  for (const char* table : kTableNames) refuse_changes(database, table);
+}
+
+/// How exactly the forces of a presentation were computed.
+void add_solve_table(SQLite::Database& database) {
+  database.exec(kSolveTable);
+  refuse_changes(database, "presentation_solve");
+}
+
+using Step = void (*)(SQLite::Database&);
+constexpr std::array<Step, kSchemaVersion> kSteps{create_version_1, add_solve_table};  // [v - 1] makes v
+
+int version_of(SQLite::Database& database) {
+  Query current(database, "PRAGMA user_version");
+  current.next();
+  return current.number(0);
+}
+
 }  // namespace
 
 void create_schema(SQLite::Database& database) {
-  database.exec(kTables);
-  for (const char* table : kTableNames)
-    for (const char* action : {"UPDATE", "DELETE"}) database.exec(append_only(table, action));
+  for (const Step step : kSteps) step(database);
   database.exec(
       fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}", kApplicationId, kSchemaVersion));
 }
 
 void migrate(SQLite::Database& database) {
-  using Step = void (*)(SQLite::Database&);
-  const std::vector<Step> steps{};  // steps[v - 1] brings version v to v + 1; version 1 is the first
-  Query current(database, "PRAGMA user_version");
-  current.next();
-  for (int version = current.number(0); version < kSchemaVersion; ++version) {
+  for (int version = version_of(database); version < kSchemaVersion; ++version) {
     SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
-    steps[version - 1](database);
+    kSteps.at(version)(database);
     database.exec(fmt::format("PRAGMA user_version = {}", version + 1));
     transaction.commit();
   }
 }
 
+void supply_later_tables(SQLite::Database& database) {
+  if (version_of(database) >= 2) return;
+  database.exec("PRAGMA temp_store = MEMORY");
+  database.exec(kSolveTableInMemory);
+}
+
 std::vector<std::string> schema_differences(SQLite::Database& database) {
   SQLite::Database fresh(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
-  create_schema(fresh);
+  for (int version = 0; version < version_of(database); ++version) kSteps.at(version)(fresh);
   const auto expected = objects(fresh), found = objects(database);
   std::vector<std::string> differences;
   for (const auto& [name, sql] : expected) {

@@ -138,7 +138,15 @@ std::vector<Column> presentation_columns(const Protocol& protocol, bool may_be_c
               "Hz"),
       measure("loop_p999_ms", "Jitter of the haptic loop",
               "99.9 % of cycles began no later than this after the one before", "ms"),
-      whole_column("missed_cycles", "Missed cycles", "Cycles that the haptic loop missed", 0)};
+      whole_column("missed_cycles", "Missed cycles", "Cycles that the haptic loop missed", 0),
+      measure("force_error_bound_n", "Bound of the force's error",
+              "Largest bound, over the loop's cycles, of how far the force can be from the exact solution of "
+              "the contact; 0 where the contact model approximates nothing",
+              "N"),
+      whole_column("cycles_within_tolerance", "Cycles ended within tolerance",
+                   "Cycles whose solution ended early, within the scene's contact.tolerance", 0),
+      whole_column("cycles_at_cap", "Cycles at the cap",
+                   "Cycles whose solution ended at the cap on iterations", 0)};
   columns.push_back(proposed);
   columns.push_back(presented);
   columns.insert(columns.end(), measured.begin(), measured.end());

@@ -18,7 +18,7 @@ Value number(std::int64_t value) {
 /// Levels are missing with constant stimuli: the condition says what was presented.
 std::vector<Value> presentation_row(const Protocol& design, const SessionRow& session,
                                     const PresentationRow& p) {
-  constexpr std::size_t kMeasured = 8;
+  constexpr std::size_t kMeasured = 11;
   std::vector<Value> row{session.facts.examinee,
                          number(session.number),
                          number(p.trial),
@@ -37,7 +37,10 @@ std::vector<Value> presentation_row(const Protocol& design, const SessionRow& se
                                     p.clamped_fraction,
                                     p.loop ? Value(p.loop->rate_hz) : Value(),
                                     p.loop ? Value(p.loop->p999_ms) : Value(),
-                                    p.loop ? number(p.loop->missed_cycles) : Value()};
+                                    p.loop ? number(p.loop->missed_cycles) : Value(),
+                                    p.solve ? Value(p.solve->force_error_bound) : Value(),
+                                    p.solve ? number(p.solve->cycles_within_tolerance) : Value(),
+                                    p.solve ? number(p.solve->cycles_at_cap) : Value()};
   row.insert(row.end(), measured.begin(), measured.end());
   return row;
 }

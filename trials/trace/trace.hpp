@@ -32,12 +32,20 @@ struct LoopTiming {
   long missed_cycles = 0;
 };
 
+/// How exactly the forces of a presentation were computed: of the cycles that the haptic loop ran for it.
+struct SolveRecord {
+  double force_error_bound = 0.0;    // the largest of a cycle [N]; see sim::SolveReport
+  long cycles_within_tolerance = 0;  // in which the law stopped early, as contact.tolerance lets it
+  long cycles_at_cap = 0;            // in which it stopped at its cap on iterations
+};
+
 /// One presentation of an interval, from its onset until it was closed.
 struct IntervalRecord {
   std::string onset_utc{};  // ISO 8601, see base::utc_now()
   Trace trace{};
   double clamped_fraction = 0.0;  // share of cycles in which the device's limit cut the force, 0..1
   std::optional<LoopTiming> loop{};
+  std::optional<SolveRecord> solve{};  // with the loop's timing
 };
 
 /// What a trace says about how the body was explored.

@@ -242,6 +242,9 @@ TEST(HtmlReport, ShowsOrdersResponseTimesAndTheLoop) {
     for (IntervalRow& interval : table.trials[i].intervals) {
       interval.loop_p999_ms = 1.0 + 0.001 * static_cast<double>(i);
       interval.missed_cycles = i == 7 ? 3 : 0;
+      interval.force_error_bound_n = 0.0004 + (i == 7 ? 0.0125 : 0.0);
+      interval.cycles_within_tolerance = 0;
+      interval.cycles_at_cap = i == 7 ? 17 : 0;
     }
   }
   const std::string html = html_report(analyse(table));
@@ -249,6 +252,8 @@ TEST(HtmlReport, ShowsOrdersResponseTimesAndTheLoop) {
     EXPECT_THAT(html, HasSubstr(picture));
   EXPECT_THAT(html, HasSubstr("hard first: 28 of 30"));
   EXPECT_THAT(html, HasSubstr("3 missed cycles"));
+  EXPECT_THAT(html, HasSubstr(">12.9<"));  // mN, the worst interval's bound
+  EXPECT_THAT(html, HasSubstr("ended at its cap on iterations in 34 cycles"));
   const std::string simulated =
       html_report(analyse(test::study_table(test::like_the_paper(), 4, "simulated")));
   EXPECT_THAT(simulated, Not(HasSubstr("loop-title")));  // a loop that did not run in real time has no timing

@@ -70,6 +70,28 @@ TEST(IntervalEngine, TheSamePathGivesTheSameTrace) {
   EXPECT_EQ(drive(first, 2000).trace(), drive(second, 2000).trace());
 }
 
+// A press that stops at the first pivot of each cycle must show in the record; one that solves to the end has
+// the bound of its rounding alone.
+TEST(IntervalEngine, RecordsHowExactlyTheForceWasComputed) {
+  sim::Model model = palpation("exact", "1.0 MPa");
+  IntervalEngine to_the_end(model, kLimits, kMouse);
+  drive(to_the_end, 1000);
+  EXPECT_EQ(to_the_end.solve_record().cycles_within_tolerance, 0);
+  EXPECT_EQ(to_the_end.solve_record().cycles_at_cap, 0);
+  EXPECT_LT(to_the_end.solve_record().force_error_bound, 1e-6);
+  model.contact_tolerance = 0.2;
+  IntervalEngine early(model, kLimits, kMouse);
+  double largest = 0.0;
+  for (int i = 0; i < 1000; ++i) {
+    early.tick(at(scripted_hand(i)));
+    largest = std::max(largest, early.state().force);
+  }
+  EXPECT_GT(early.solve_record().cycles_within_tolerance, 0);
+  EXPECT_GT(early.solve_record().force_error_bound, 1e-6);
+  EXPECT_LE(early.solve_record().force_error_bound,
+            0.2 * largest * 1.5);  // of |f|, of which this is one part
+}
+
 TEST(IntervalEngine, TheTraceHoldsHandAndProbeAndMeetsTheSessionsRule) {
   const sim::Model model = palpation("kuroda", "1.0 MPa");
   IntervalEngine engine(model, kLimits, kMouse);

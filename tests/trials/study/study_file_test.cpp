@@ -139,6 +139,60 @@ TEST_F(StudyFileTest, HoldsAllOfALoopsTimingOrNone) {
   EXPECT_THAT(test::sql(path_, end), HasSubstr("CHECK constraint failed"));
 }
 
+TEST_F(StudyFileTest, HoldsHowExactlyForcesWereComputed) {
+  StudyFile study = open();
+  Session session = start_session(study, protocol_, test::facts_of("P01"));
+  session.begin_interval();
+  session.end_interval(test::felt_in_a_loop());
+  const std::vector<PresentationRow> felt = study.presentations(1);
+  ASSERT_TRUE(felt.at(0).solve.has_value());
+  EXPECT_EQ(felt[0].solve->force_error_bound, 0.0125);
+  EXPECT_EQ(felt[0].solve->cycles_within_tolerance, 70);
+  EXPECT_EQ(felt[0].solve->cycles_at_cap, 3);
+  test::answer_all(session);
+  EXPECT_THAT(verify_study(path_).problems, testing::IsEmpty());
+}
+
+/// A study of which version 1 kept one presentation.
+void make_version_1(const std::filesystem::path& path) {
+  ASSERT_EQ(test::sql(path, "DROP TABLE presentation_solve; PRAGMA user_version = 1"), "");
+}
+
+TEST_F(StudyFileTest, AFileOfVersion1IsReadAndVerifiedAsItIs) {
+  {
+    StudyFile study = open();
+    Session session = start_session(study, protocol_, test::facts_of("P01"));
+    test::answer_all(session);
+  }
+  make_version_1(path_);
+  const std::string before = test::read(path_);
+  EXPECT_THAT(verify_study(path_).problems, testing::IsEmpty());
+  const std::vector<PresentationRow> felt = read_study(path_).presentations(1);
+  EXPECT_EQ(felt.size(), 4U);
+  for (const PresentationRow& presentation : felt) EXPECT_FALSE(presentation.solve.has_value());
+  EXPECT_EQ(test::read(path_), before);
+}
+
+TEST_F(StudyFileTest, AFileOfVersion1GoesOnWithWhatLaterOnesKeep) {
+  {
+    StudyFile study = open();
+    Session session = start_session(study, protocol_, test::facts_of("P01"));
+    test::feel_both(session);
+    session.answer(1, 0.8, "2003-12-03T09:30:05.000Z");
+  }
+  make_version_1(path_);
+  StudyFile study = open();
+  EXPECT_EQ(test::sql_value(path_, "PRAGMA user_version"), "2");
+  Session session = start_session(study, protocol_, test::facts_of("P02"));
+  session.begin_interval();
+  session.end_interval(test::felt_in_a_loop());
+  test::answer_all(session);
+  EXPECT_FALSE(study.presentations(1).at(0).solve.has_value());
+  EXPECT_TRUE(study.presentations(2).at(0).solve.has_value());
+  EXPECT_THAT(verify_study(path_).problems, testing::IsEmpty());
+  EXPECT_THAT(test::sql(path_, "DELETE FROM presentation_solve"), HasSubstr("append-only"));
+}
+
 TEST_F(StudyFileTest, AMissingTableIsDamage) {
   open();
   ASSERT_EQ(test::sql(path_, "DROP TABLE answer"), "");

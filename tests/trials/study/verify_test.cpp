@@ -92,6 +92,19 @@ TEST_F(VerifyTest, AnAlteredMeasureIsFound) {
   EXPECT_THAT(problems(), Contains(HasSubstr("are not those of its trace")));
 }
 
+TEST_F(VerifyTest, AnAlteredBoundOfTheForceIsFound) {
+  StudyFile study = open_study(path_, protocol_, "0.1.0");
+  Session session = start_session(study, protocol_, test::facts_of("P02"));
+  session.begin_interval();
+  session.end_interval(test::felt_in_a_loop());
+  test::answer_all(session);
+  ASSERT_THAT(problems(), IsEmpty());
+  tamper("UPDATE presentation_solve SET cycles_at_cap = 0");
+  EXPECT_THAT(problems(), testing::ElementsAre(testing::ContainsRegex("chain: entry .* was altered")));
+  tamper("DELETE FROM presentation_solve");
+  EXPECT_THAT(problems(), testing::ElementsAre(testing::ContainsRegex("chain: entry .* was altered")));
+}
+
 TEST_F(VerifyTest, ADeletedEventIsFound) {
   tamper("DELETE FROM event WHERE kind = 'session ended'");
   EXPECT_THAT(problems(), Contains(HasSubstr("has lost its answer or event")));

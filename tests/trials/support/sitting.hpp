@@ -32,6 +32,14 @@ inline IntervalRecord press_to(double depth) {
 
 inline constexpr double kDeepEnough = 4e-3;  // the protocol wants 3 mm
 
+/// As a haptic loop that ran in real time records it.
+inline IntervalRecord felt_in_a_loop() {
+  IntervalRecord record = press_to(kDeepEnough);
+  record.loop = LoopTiming{.rate_hz = 999.5, .p999_ms = 1.25, .missed_cycles = 2};
+  record.solve = SolveRecord{.force_error_bound = 0.0125, .cycles_within_tolerance = 70, .cycles_at_cap = 3};
+  return record;
+}
+
 /// Ready -> Question.
 inline void feel_both(Session& session) {
   while (session.phase() != Phase::Question) {

@@ -49,7 +49,8 @@ TEST_F(TableTest, HaveTheColumnsOfTheTrialLog) {
             (std::vector<std::string>{"participant_id", "session_id", "trial", "interval", "condition",
                                       "level_proposed", "level_presented", "n_presses", "exploration_time_s",
                                       "peak_force_n", "max_depth_m", "clamped_fraction", "loop_rate_hz",
-                                      "loop_p999_ms", "missed_cycles", "run_mode"}));
+                                      "loop_p999_ms", "missed_cycles", "force_error_bound_n",
+                                      "cycles_within_tolerance", "cycles_at_cap", "run_mode"}));
 }
 
 TEST_F(TableTest, HoldEveryAnswerEveryIntervalAndEveryOtherExposure) {

@@ -163,7 +163,10 @@ trials::IntervalRecord Sitting::release_record() {
   trials::IntervalRecord record{.onset_utc = onset_utc_};
   if (!engine_) return record;
   record.trace = engine_->trace();
-  if (timing.rate_hz > 0) record.loop = timing;
+  if (timing.rate_hz > 0) {
+    record.loop = timing;
+    record.solve = engine_->solve_record();
+  }
   return record;
 }
 

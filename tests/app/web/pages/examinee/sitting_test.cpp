@@ -125,6 +125,7 @@ TEST_F(SittingTest, OneQuestionIsAskedAndStored) {
   EXPECT_DOUBLE_EQ(study_->answers(1)[0].response_time.value(), 1e-3);
   ASSERT_EQ(study_->presentations(1).size(), 2U);
   EXPECT_TRUE(study_->presentations(1)[0].loop.has_value());
+  EXPECT_TRUE(study_->presentations(1)[0].solve.has_value());
   EXPECT_NE(said_.find("1 of 4 questions answered"), std::string::npos);
 }
 
