@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -90,7 +91,8 @@ analysis::IntervalRow interval_of(const trials::Protocol& protocol,
     row.missed_cycles = presentation.loop->missed_cycles;
   }
   if (presentation.solve) {
-    row.force_error_bound_n = presentation.solve->force_error_bound;
+    if (std::isfinite(presentation.solve->force_error_bound))
+      row.force_error_bound_n = presentation.solve->force_error_bound;
     row.cycles_within_tolerance = presentation.solve->cycles_within_tolerance;
     row.cycles_at_cap = presentation.solve->cycles_at_cap;
   }

@@ -1,6 +1,7 @@
 #include "sim/cost/tolerance_cost.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "sim/cost/press_poses.hpp"
@@ -41,10 +42,11 @@ void press_to_and_fro(const std::vector<PressPose>& poses, Run& run, bool counte
   }
 }
 
-/// Whether the law knows of an error at any pose.
+/// Whether the law knows a bound of an error at any pose.
 bool approximates(const std::vector<PressPose>& poses, Simulation& simulation) {
   return std::ranges::any_of(poses, [&](const PressPose& pose) {
-    return simulation.step(pose.probes, kCyclePeriod).solve.force_error_bound > 0.0;
+    const double bound = simulation.step(pose.probes, kCyclePeriod).solve.force_error_bound;
+    return bound > 0.0 && std::isfinite(bound);
   });
 }
 

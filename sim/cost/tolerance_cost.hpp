@@ -20,7 +20,7 @@ struct ToleranceCost {
 
 /// Times the poses of measure_cycle() under each tolerance. The tolerances take turns, a press to and fro each,
 /// so that what else the machine does falls on all alike; the first turn of each warms up and is not counted.
-/// @return in the order of `tolerances`; empty for a law that approximates nothing: its bound is 0 throughout
+/// @return in the order of `tolerances`; empty for a law that knows no bound, or whose bound is 0 throughout
 std::vector<ToleranceCost> measure_tolerances(const Model& model, const ContactLaw& law,
                                               const CycleSampling& sampling,
                                               std::span<const double> tolerances);

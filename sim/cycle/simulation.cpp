@@ -64,6 +64,7 @@ SolveReport Simulation::solve(ProbeDisplacements probes) {
   prescribe(*model_, probes, free_.probes);
   for (std::size_t i = 0; i < free_.probes.size(); ++i) response_.loads.held[i] = free_.probes[i].region;
   SolveReport report = free_deformation(*model_, free_solves_, free_, response_);
+  if (!law_) report.force_error_bound = 0.0;  // nothing is iterated
   if (report.stop == Stop::Converged && law_)
     report = model_->law->solve(*model_, free_, memory_, *law_, response_);
   add_region_forces();

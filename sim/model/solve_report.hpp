@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <string_view>
 
 #include "base/text/enum_words.hpp"
@@ -31,9 +32,9 @@ struct SolveReport {
   int iterations = 0;
   double residual = 0.0;  // largest error of what contact prescribed, relative to the largest such
                           // displacement; 0 without [-]
-  double force_error_bound =
-      0.0;  // the largest that a probe's force can differ from the exact solution's of the same
-            // scene [N]; 0 of a law that approximates nothing
+  /// The largest that a probe's force can differ from that of the exact solution of the same scene [N]; infinite where
+  /// no bound is known.
+  double force_error_bound = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace palpate::sim

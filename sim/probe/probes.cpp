@@ -13,7 +13,7 @@
 namespace palpate::sim {
 namespace {
 
-constexpr double kNearSurface = 0.25;  // of a body's size: farther from every node is no place at its surface
+constexpr double kNearSurface = 0.5;  // of a body's size: farther from every node is no place at its surface
 
 [[noreturn]] void refuse(const ProbeSpec& spec, const std::string& what) {
   refuse_key(fmt::format("probes.{}", spec.name), what);

@@ -186,7 +186,7 @@ constexpr std::array kProbeKeys{
         .meaning =
             "How far it slides over the surface, across its direction. `palpate press --path` sets it to what "
             "the path needs.",
-        .along = "kind = \"pad\""},
+        .along = "kind = \"pad\"\nradius = \"6 mm\""},
     Key{.name = "group",
         .takes = base::kText,
         .example = "\"cap\"",

@@ -141,7 +141,7 @@ std::vector<Column> presentation_columns(const Protocol& protocol, bool may_be_c
       whole_column("missed_cycles", "Missed cycles", "Cycles that the haptic loop missed", 0),
       measure("force_error_bound_n", "Bound of the force's error",
               "Largest bound, over the loop's cycles, of how far the force can be from the exact solution of "
-              "the contact; 0 where the contact model approximates nothing",
+              "the contact; empty where the contact model knows no bound",
               "N"),
       whole_column("cycles_within_tolerance", "Cycles ended within tolerance",
                    "Cycles whose solution ended early, within the scene's contact.tolerance", 0),

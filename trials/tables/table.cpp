@@ -1,6 +1,7 @@
 #include "trials/tables/table.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "trials/tables/delimited.hpp"
 
@@ -30,17 +31,18 @@ std::vector<Value> presentation_row(const Protocol& design, const SessionRow& se
     row.resize(row.size() + kMeasured);
     return row;
   }
-  const std::vector<Value> measured{number(p.exploration.presses),
-                                    p.exploration.time,
-                                    p.exploration.peak_force,
-                                    p.exploration.max_depth,
-                                    p.clamped_fraction,
-                                    p.loop ? Value(p.loop->rate_hz) : Value(),
-                                    p.loop ? Value(p.loop->p999_ms) : Value(),
-                                    p.loop ? number(p.loop->missed_cycles) : Value(),
-                                    p.solve ? Value(p.solve->force_error_bound) : Value(),
-                                    p.solve ? number(p.solve->cycles_within_tolerance) : Value(),
-                                    p.solve ? number(p.solve->cycles_at_cap) : Value()};
+  const std::vector<Value> measured{
+      number(p.exploration.presses),
+      p.exploration.time,
+      p.exploration.peak_force,
+      p.exploration.max_depth,
+      p.clamped_fraction,
+      p.loop ? Value(p.loop->rate_hz) : Value(),
+      p.loop ? Value(p.loop->p999_ms) : Value(),
+      p.loop ? number(p.loop->missed_cycles) : Value(),
+      p.solve && std::isfinite(p.solve->force_error_bound) ? Value(p.solve->force_error_bound) : Value(),
+      p.solve ? number(p.solve->cycles_within_tolerance) : Value(),
+      p.solve ? number(p.solve->cycles_at_cap) : Value()};
   row.insert(row.end(), measured.begin(), measured.end());
   return row;
 }

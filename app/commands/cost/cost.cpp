@@ -35,7 +35,7 @@ struct CostOptions {
 
 struct ModelCost {
   sim::CycleCost cycle;
-  std::vector<sim::ToleranceCost> tolerances{};  // empty: the contact model approximates nothing
+  std::vector<sim::ToleranceCost> tolerances{};  // empty: the contact model knows no bound of an error
 };
 
 struct SceneCost {

@@ -27,12 +27,12 @@ struct Carried {
   std::vector<Eigen::Matrix3d> turns{};  // of each body
   std::vector<RigidPose> poses{};        // likewise
   std::vector<int> near{};               // contacts that can touch in this cycle
-  PushResponse response;  // room for one contact's
+  PushResponse response;                 // room for one contact's
   std::vector<char> is_near{};           // of each contact
   std::vector<double> rest_overlap{};    // of each contact: what counts as touching [m]
   std::vector<Vec3> looks{};             // of each contact's node, out of its own surface at rest
   std::vector<int> last{};  // of each contact: the polygon that was nearest when it was near, or -1
-  double way = 0.0;  // the most that anything has moved since the beginning, all motions added [m]
+  double way = 0.0;         // the most that anything has moved since the beginning, all motions added [m]
   std::vector<double> far_until{};   // of each contact: it is farther than this less the way [m]
   std::vector<char> known{};         // of each contact: the system's rows of those that are known are filled
   std::vector<FacingPair> filled{};  // with these, which differ from what is now by rounding only

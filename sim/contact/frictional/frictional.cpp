@@ -1,7 +1,6 @@
 #include "sim/contact/frictional/frictional.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 
 #include "sim/contact/exact/coupling.hpp"
@@ -164,8 +163,7 @@ SolveReport solve_frictional(const Model& model, const FreeState& free, std::spa
   add_to_probes(model, free.probes, own, response);
   return {.stop = found.converged ? Stop::Converged : Stop::CapReached,
           .iterations = found.iterations,
-          .residual = found.residual,
-          .force_error_bound = std::numeric_limits<double>::infinity()};
+          .residual = found.residual};
 }
 
 void advance_anchors(const Model&, const LawScratch& scratch, double, std::span<double> memory) {

@@ -44,8 +44,10 @@ TEST(Effects, ThatAreOnCanBeTakenOutOfAModel) {
 }
 
 TEST(Effects, OfLaterVersionsAreRefusedByTheirKeys) {
-  EXPECT_EQ(effect_keys().size(), 3U);
+  int refused = 0;
   for (const EffectKey& later : effect_keys()) {
+    if (later.read) continue;
+    ++refused;
     const std::string table = later.table == "bodies" ? "bodies.upper" : std::string(later.table);
     const std::vector<Override> calling{{table + "." + std::string(later.key.name), "1"}};
     EXPECT_THAT([&] { load_scene(write_two_boxes(), calling); },
@@ -53,6 +55,7 @@ TEST(Effects, OfLaterVersionsAreRefusedByTheirKeys) {
                     fmt::format("{}.{}: calls for {}, which this version does not simulate", table,
                                 later.key.name, later.calls_for))));
   }
+  EXPECT_EQ(refused, 2);
 }
 
 }  // namespace

