@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "sim/effects/contact/contact.hpp"
+#include "sim/effects/friction/friction.hpp"
 #include "sim/effects/later/later.hpp"
 #include "sim/scene/accepted.hpp"
 
@@ -12,6 +13,7 @@ std::span<const Effect* const> effects() {
   static const std::vector<const Effect*> all = [] {
     std::vector<const Effect*> list{
         &kContact,
+        &kFriction,
     };
     const auto later = later_effects();
     list.insert(list.end(), later.begin(), later.end());

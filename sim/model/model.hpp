@@ -84,6 +84,7 @@ struct Model {
   std::vector<Body> bodies{};       // those present
   std::vector<TouchPair> pairs{};   // those of present bodies
   std::vector<Probe> probes{};
+  double friction = 0.0;           // coefficient of Coulomb, of a law with friction [-]
   double contact_tolerance = 0.0;  // part of each probe's force that a law may be wrong by, where it knows a bound
   Reading reading = Reading::EveryPair;  // of kuroda
   double overlap = 0.0;                  // of bodies at rest, that the scene declares [m]

@@ -31,21 +31,29 @@ bool touches_at_rest(const Model& model, const FacingPair& pair) {
   return -pair.gap <= model.overlap + rounding_of(model.bodies[pair.polygon_body].tree);
 }
 
-Faces face(const Body& nodes, const Body& polygons, const RigidPose& pose, double within, FacingPair& pair) {
-  const TouchSurface& surface = polygons.polygons;
-  if (polygons.tree.nodes.empty()) return Faces::Nothing;
-  const Vec3 place = pose.rotation * nodes.rest.col(pair.node) + pose.shift;
-  const NearestPolygon found = find_nearest(polygons.tree, surface.triangles, polygons.rest, place, within);
+NearestPolygon nearest_of(const Body& polygons, const Vec3& place, double within) {
+  return find_nearest(polygons.tree, polygons.polygons.triangles, polygons.rest, place, within);
+}
+
+Faces face(const Body& polygons, const NearestPolygon& found, const Vec3& place, const Vec3& looks,
+           FacingPair& pair) {
   if (found.polygon < 0) return Faces::Nothing;
+  const TouchSurface& surface = polygons.polygons;
   const Vec3 outward = outward_at(surface, polygons.rest, found);
   if (outward.isZero(0.0)) return Faces::Nothing;
   const bool before = set_gap(place - found.nearest.point, outward, rounding_of(polygons.tree), pair);
-  const Vec3 looks = pose.rotation * corner_normal(nodes.polygons, nodes.rest, pair.node);
   if (looks.dot(pair.normal) >= 0.0) return Faces::Nothing;
   pair.corners = surface.triangles[found.polygon];
   pair.weights = barycentric(found.nearest.point, polygons.rest.col(pair.corners[0]),
                              polygons.rest.col(pair.corners[1]), polygons.rest.col(pair.corners[2]));
   return before ? Faces::Front : Faces::Back;
+}
+
+Faces face_at_rest(const Model& model, FacingPair& pair) {
+  const Body &nodes = model.bodies[pair.node_body], &polygons = model.bodies[pair.polygon_body];
+  const Vec3 place = nodes.rest.col(pair.node);
+  const NearestPolygon found = nearest_of(polygons, place, std::numeric_limits<double>::infinity());
+  return face(polygons, found, place, corner_normal(nodes.polygons, nodes.rest, pair.node), pair);
 }
 
 namespace {
@@ -58,8 +66,7 @@ void add_facing(const Model& model, int touch_pair, int node_body, int polygon_b
         .touch_pair = touch_pair, .node_body = node_body, .node = node, .polygon_body = polygon_body};
     // What lies deeper behind a surface than bodies may overlap at rest is not within the body but beyond it, as what
     // lies in the hollow of a tube whose outer wall may be touched.
-    const Faces side =
-        face(nodes, model.bodies[polygon_body], {}, std::numeric_limits<double>::infinity(), pair);
+    const Faces side = face_at_rest(model, pair);
     if (side == Faces::Nothing || (side == Faces::Back && !touches_at_rest(model, pair))) continue;
     pair.gap = std::max(0.0, pair.gap);
     pairs.push_back(pair);

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "sim/model/model.hpp"
+#include "sim/surface/aabb_tree.hpp"
 
 namespace palpate::sim {
 
@@ -18,19 +19,19 @@ struct FacingPair {
   double gap = 0.0;             // at rest [m], >= 0 but for rounding
 };
 
-/// Where a body's rest has been brought: R x + shift.
-struct RigidPose {
-  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
-  Vec3 shift = Vec3::Zero();
-};
-
 /// On which side of the surface that it faces a node is.
 enum class Faces { Nothing, Front, Back };
 
-/// Finds what the node of a pair faces of the other body's surface, no farther than `within`: sets corners, weights,
-/// normal and gap, in the frame of the polygons' body; the gap is negative at the back.
-/// @param pose  of the nodes' body, as that of the polygons sees it
-Faces face(const Body& nodes, const Body& polygons, const RigidPose& pose, double within, FacingPair& pair);
+/// The polygon of a body at rest that is nearest to a place, no farther than `within`.
+NearestPolygon nearest_of(const Body& polygons, const Vec3& place, double within);
+
+/// Sets what the node of a pair, at `place`, faces of that polygon: corners, weights, normal and gap, in the frame of
+/// the polygons' body; the gap is negative at the back. @param looks  out of the node's own surface, of any length
+Faces face(const Body& polygons, const NearestPolygon& found, const Vec3& place, const Vec3& looks,
+           FacingPair& pair);
+
+/// The same where the scene puts the bodies, however far apart they are.
+Faces face_at_rest(const Model& model, FacingPair& pair);
 
 /// Whether a node at the back of what it faces at rest counts as touching it: it is no deeper than the scene declares
 /// that bodies may overlap.

@@ -109,16 +109,20 @@ NearestPolygon find_nearest(const AabbTree& tree, std::span<const Triangle> tria
                             std::span<const double> moved) {
   NearestPolygon best{.squared_distance = std::numeric_limits<double>::infinity()};
   if (tree.nodes.empty()) return best;
+  // where polygons have moved by different amounts, nothing but the nearest one so far bounds the search
+  const double farthest = moved.empty() ? within * within : std::numeric_limits<double>::infinity();
   std::array<int, kDeepest> stack{};
   std::size_t height = 0;
   stack[height++] = 0;
   while (height > 0) {
     const AabbTree::Node& node = tree.nodes[stack[--height]];
-    if (squared_distance_to_box(place, node) > best.squared_distance) continue;
+    if (squared_distance_to_box(place, node) > std::min(best.squared_distance, farthest)) continue;
     if (node.left >= 0) {
       assert(height + 2 <= kDeepest);
-      stack[height++] = node.right;
-      stack[height++] = node.left;
+      const bool left_first = squared_distance_to_box(place, tree.nodes[node.left]) <=
+                              squared_distance_to_box(place, tree.nodes[node.right]);
+      stack[height++] = left_first ? node.right : node.left;
+      stack[height++] = left_first ? node.left : node.right;
       continue;
     }
     for (int i = node.first; i < node.first + node.count; ++i) {

@@ -76,7 +76,7 @@ TEST(Check, TellsWhichLineCallsForAnEffectAndWhatItCosts) {
   }
   EXPECT_THAT(run({"check", scene}).out,
               AllOf(HasSubstr(at + " contact.model = \"kuroda\" between rectum and prostate\n"),
-                    HasSubstr("nothing calls for it: no contact.friction (not in this version)\n"),
+                    HasSubstr("nothing calls for it: no contact.friction\n"),
                     HasSubstr("finger: a point, which holds 1 node; ")));
   EXPECT_THAT(run({"check", scene, "--model", "exact"}).out, HasSubstr("  --set contact.model = \"exact\""));
   EXPECT_THAT(run({"check", scene, "--model", "none"}).out,

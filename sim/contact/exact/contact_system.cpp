@@ -1,5 +1,6 @@
 #include "sim/contact/exact/contact_system.hpp"
 
+#include <algorithm>
 #include <numeric>
 #include <vector>
 
@@ -8,13 +9,7 @@
 
 namespace palpate::sim {
 double opened_by(const FacingPair& pair, int body, Eigen::Ref<const Eigen::VectorXd> motion) {
-  double sum = 0.0;
-  if (pair.node_body == body) sum += pair.normal.dot(motion.segment<3>(3 * pair.node));
-  if (pair.polygon_body == body)
-    for (std::size_t k = 0; k < 3; ++k)
-      sum -= pair.weights[static_cast<Eigen::Index>(k)] *
-             pair.normal.dot(motion.segment<3>(3 * pair.corners[k]));
-  return sum;
+  return pair.normal.dot(relative_motion(pair, body, motion));
 }
 
 namespace {
@@ -56,18 +51,27 @@ void fill_with_probes(const Model& model, const ProbeRows& probes, const FacingP
 
 }  // namespace
 
-void fill_probes(const Model& model, const ProbeRows& probes, ContactSystem& system) {
+void write_between_probes(const Model& model, const ProbeRows& probes, Eigen::MatrixXd& compliance) {
+  const auto first_row = [&](int probe) {
+    Eigen::Index row = 0;
+    for (int before = 0; before < probe; ++before) row += model.probes[before].axes.cols();
+    return row;
+  };
   for (const Body& body : model.bodies)
     for (const int pressing : body.probes)
       for (Eigen::Index from = 0; from < model.probes[pressing].axes.cols(); ++from) {
         const auto motion = compliance_of(model.probes[pressing], probes[pressing]).col(from);
         for (const int measuring : body.probes)
           for (Eigen::Index to = 0; to < model.probes[measuring].axes.cols(); ++to)
-            system.compliance(system.first_of_probe[measuring] + to, system.first_of_probe[pressing] + from) =
+            compliance(first_row(measuring) + to, first_row(pressing) + from) =
                 measured(model.probes[measuring], weights_of(model.probes[measuring], probes[measuring]), to,
                          motion) /
                 body.young_modulus;
       }
+}
+
+void fill_probes(const Model& model, const ProbeRows& probes, ContactSystem& system) {
+  write_between_probes(model, probes, system.compliance);
   for (RegionPull& region : system.regions)
     for (const int other : model.bodies[model.probes[region.probe].body].probes)
       for (Eigen::Index axis = 0; axis < model.probes[other].axes.cols(); ++axis)
@@ -91,14 +95,16 @@ ContactSystem empty_system(const Model& model, std::size_t contacts) {
 
 void fill_contacts(const Model& model, const ProbeRows& probes, std::span<const Eigen::Matrix3d> turns,
                    std::span<const FacingPair> pairs, std::span<const int> which, std::span<const int> with,
-                   ContactSystem& system) {
+                   PushResponse& response, ContactSystem& system) {
   for (const int i : which) {
     const Eigen::Index row = system.bilateral + i;
     fill_with_probes(model, probes, pairs[i], row, system);
+    respond(model, turns, pairs[i], response);
     for (const int j : with) {
+      if (j < i && std::ranges::binary_search(which, j)) continue;  // both are of `which`: once is enough
       const Eigen::Index column = system.bilateral + j;
       system.compliance(row, column) = system.compliance(column, row) =
-          pairs[i].normal.dot(coupling(model, turns, pairs[i], pairs[j]) * pairs[j].normal);
+          pairs[j].normal.dot(coupling(turns, pairs[j], response) * pairs[i].normal);
     }
   }
 }
@@ -108,7 +114,8 @@ ContactSystem contact_system(const Model& model, std::span<const FacingPair> pai
   std::vector<int> all(pairs.size());
   std::iota(all.begin(), all.end(), 0);
   const std::vector<Eigen::Matrix3d> turns(model.bodies.size(), Eigen::Matrix3d::Identity());
-  fill_contacts(model, probe_rows(model), turns, pairs, all, all, system);
+  PushResponse response(model);
+  fill_contacts(model, probe_rows(model), turns, pairs, all, all, response, system);
   return system;
 }
 

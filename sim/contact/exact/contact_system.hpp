@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "sim/contact/exact/coupling.hpp"
 #include "sim/contact/exact/system.hpp"
 #include "sim/model/free_state.hpp"
 #include "sim/model/model.hpp"
@@ -16,15 +17,18 @@ ContactSystem contact_system(const Model& model, std::span<const FacingPair> pai
 /// Room for so many contacts, their rows 0; what the probes' rows do to each other stands.
 ContactSystem empty_system(const Model& model, std::size_t contacts);
 
-/// What the probes' rows do to each other where the probes are now.
+/// What the probes' rows do to each other where the probes are now, which is the first block of a system.
+void write_between_probes(const Model& model, const ProbeRows& probes, Eigen::MatrixXd& compliance);
+
+/// That, and what they take off the regions.
 void fill_probes(const Model& model, const ProbeRows& probes, ContactSystem& system);
 
 /// Rows and columns of some of the contacts, with others and with the probes.
 /// @param turns  of each body: the rotation of its frame
-/// @param which, with  contacts, by index into `pairs`
+/// @param which, with  contacts, by index into `pairs`, ascending; `with` holds all of `which`
 void fill_contacts(const Model& model, const ProbeRows& probes, std::span<const Eigen::Matrix3d> turns,
                    std::span<const FacingPair> pairs, std::span<const int> which, std::span<const int> with,
-                   ContactSystem& system);
+                   PushResponse& response, ContactSystem& system);
 
 /// How a motion of the touchable nodes of a body, 3t, opens a gap.
 double opened_by(const FacingPair& pair, int body, Eigen::Ref<const Eigen::VectorXd> motion);

@@ -67,14 +67,30 @@ Stop stop_of(ComplementarityReport::End end) {
 /// Gaps and system where probes and regions are now.
 void bring_rows(const Model& model, const ProbeRows& probes, ExactScratch& scratch) {
   if (scratch.carried) {
-    if (meet(model, probes, *scratch.carried, scratch.pairs, scratch.gaps, scratch.system))
-      scratch.solve.changed();
+    Carried& carried = *scratch.carried;
+    meet(model, probes, carried, scratch.pairs, scratch.gaps);
+    if (carried.renewed.empty()) return;
+    fill_contacts(model, probes, carried.turns, scratch.pairs, carried.renewed, carried.near,
+                  carried.response, scratch.system);
+    scratch.solve.changed();
     return;
   }
   move_gaps(scratch.regions, probes, scratch.rest_gaps, scratch.gaps);
   if (scratch.sliding.empty()) return;
   move_rows(model, scratch.sliding, probes, scratch.system);
   scratch.solve.changed();
+}
+
+/// Whether no contact that was left out can have closed.
+bool all_seen(const Model& model, const ProbeRows& probes, ExactScratch& scratch) {
+  begin_giving_way(*scratch.carried);
+  const Eigen::VectorXd& forces = scratch.solve.forces();
+  for (const int row : scratch.solve.active().subspan(scratch.solve.holding()))
+    give_way(model, scratch.pairs[static_cast<std::size_t>(row - scratch.system.bilateral)], forces[row],
+             *scratch.carried);
+  give_way(model, probes, {forces.data(), static_cast<std::size_t>(scratch.system.bilateral)},
+           *scratch.carried);
+  return looked_far_enough(*scratch.carried);
 }
 
 SolveReport solve_exact(const Model& model, const FreeState& free, std::span<const double>,
@@ -86,8 +102,7 @@ SolveReport solve_exact(const Model& model, const FreeState& free, std::span<con
   do {
     bring_rows(model, free.probes, own);
     found = own.solve.solve(own.holds, own.values, own.gaps, model.contact_tolerance);
-  } while (own.carried &&
-           !looked_far_enough(model, free.probes, own.pairs, own.system, own.solve, *own.carried));
+  } while (own.carried && !all_seen(model, free.probes, own));
   add_contacts(model, own, response.loads);
   add_to_probes(model, free.probes, own, response);
   return {.stop = stop_of(found.end),
@@ -116,9 +131,7 @@ ExactScratch::ExactScratch(const Model& model)
 
 void ExactScratch::reset() {
   solve.reset();
-  if (!carried) return;
-  carried->within = carried->start;
-  std::ranges::fill(carried->known, 0);
+  if (carried) forget(*carried);
 }
 
 constinit const ContactLaw kExact{

@@ -21,7 +21,8 @@ struct ExactScratch : LawScratch {
   void reset() override;
 
   std::vector<FacingPair> pairs;
-  std::optional<Carried> carried;  // where a region carries a body as a whole: it finds rows and gaps in every cycle
+  std::optional<Carried>
+      carried;  // where a region carries a body as a whole: it finds rows and gaps in every cycle
   std::vector<double> rest_gaps;     // of each pair [m]
   std::vector<double> gaps;          // where regions have moved them [m]
   std::vector<RegionRows> regions;   // of each probe that holds one

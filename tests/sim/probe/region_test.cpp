@@ -1,52 +1,26 @@
 #include "sim/model/region.hpp"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <fstream>
 
 #include "sim/cycle/press.hpp"
 #include "sim/elasticity/stiffness.hpp"
-#include "sim/mesh/write_msh.hpp"
 #include "tests/sim/support/body_table.hpp"
-#include "tests/sim/support/box_mesh.hpp"
+#include "tests/sim/support/region_boxes.hpp"
 #include "tests/sim/support/two_boxes.hpp"
-#include "tests/support/temporary_folder.hpp"
 
 namespace palpate::sim {
 namespace {
 
 using test::body_table;
 using test::compile_scene;
+using test::region_table;
+using test::without_fixed;
 
-/// "upper" is a small box over "lower", a larger one; tables and probes as the test wants them.
-class RegionTest : public testing::Test {
- protected:
-  Model model_of(const std::string& upper, const std::string& lower, const std::string& contact,
-                 const std::string& probes) {
-    write_msh(folder_.path() / "upper.msh",
-              test::shaken(test::box_mesh(4, 4, 3, Vec3(12e-3, 12e-3, 9e-3)), 0.2e-3, 3));
-    write_msh(folder_.path() / "lower.msh", test::box_mesh(7, 7, 3, Vec3(35e-3, 35e-3, 12e-3)));
-    std::ofstream(folder_.path() / "scene.toml")
-        << "name = \"regions\"\n"
-        << upper << "offset = [\"11.3 mm\", \"11.1 mm\", \"12.2 mm\"]\n"
-        << lower << contact << probes;
-    return compile_scene(folder_.path() / "scene.toml");
-  }
-
-  palpate::test::TemporaryFolder folder_;
-};
-
-std::string without_fixed(std::string table) {
-  const auto at = table.find("fixed =");
-  return table.erase(at, table.find('\n', at) + 1 - at);
-}
-
-std::string region(const std::string& name, const std::string& body, const std::string& group) {
-  return fmt::format(
-      "[probes.{}]\nbody = \"{}\"\nkind = \"region\"\ngroup = \"{}\"\ndirection = [0, 0, -1]\ndepth = \"2 mm\"\n",
-      name, body, group);
+Model model_of(const std::string& upper, const std::string& lower, const std::string& contact,
+               const std::string& probes) {
+  return compile_scene(test::write_region_boxes(upper, lower, contact, probes));
 }
 
 const std::string kTouch =
@@ -66,9 +40,9 @@ std::pair<Vec3, Vec3> from_stiffness(const Model& model, int probe, const WholeB
 }
 
 // The upper box stands fixed; its top is moved and turned. What the region feels is what K says of the same motion.
-TEST_F(RegionTest, MovesItsNodesInSixDegreesOfFreedom) {
+TEST(Region, MovesItsNodesInSixDegreesOfFreedom) {
   const Model model = model_of(body_table("upper", "z_min", "x_min"), body_table("lower", "z_min", "z_max"),
-                               "", region("finger", "upper", "z_max"));
+                               "", region_table("finger", "upper", "z_max"));
   Simulation simulation(model);
   const ProbeDisplacement at{.from_rest = Vec3(0.3e-3, -0.2e-3, -0.5e-3), .rotation = Vec3(0.02, -0.05, 0.1)};
   const CycleResult result = simulation.step({&at, 1}, kCyclePeriod);
@@ -90,13 +64,13 @@ TEST_F(RegionTest, MovesItsNodesInSixDegreesOfFreedom) {
 }
 
 // Two regions and a point on one body: all forces balance with those of the fixed nodes, and each is what K says.
-TEST_F(RegionTest, SharesItsBodyWithOtherProbes) {
+TEST(Region, SharesItsBodyWithOtherProbes) {
   std::string upper = body_table("upper", "z_min", "y_max");
   upper.replace(upper.find("\"z_min\""), 7,
                 "[8, 12, 13]");  // in the middle of the face below, apart from its edges
   const Model model = model_of(
       upper, body_table("lower", "z_min", "z_max"), "",
-      region("finger", "upper", "x_max") + region("thumb", "upper", "x_min") +
+      region_table("finger", "upper", "x_max") + region_table("thumb", "upper", "x_min") +
           "[probes.tip]\nbody = \"upper\"\nkind = \"point\"\nat = [\"17 mm\", \"17 mm\", \"21.2 mm\"]\ndirection = [0, 0, "
           "-1]\ndepth = \"1 mm\"\n");
   Simulation simulation(model);
@@ -115,10 +89,10 @@ TEST_F(RegionTest, SharesItsBodyWithOtherProbes) {
 }
 
 // Nothing else holds the upper box: it goes along, turned by any angle, without a force.
-TEST_F(RegionTest, MayBeAllThatHoldsItsBody) {
+TEST(Region, MayBeAllThatHoldsItsBody) {
   const Model model =
       model_of(without_fixed(body_table("upper", "z_min", "z_min")), body_table("lower", "z_min", "z_max"),
-               kTouch, region("finger", "upper", "z_max"));
+               kTouch, region_table("finger", "upper", "z_max"));
   Simulation simulation(model);
   const ProbeDisplacement at{.from_rest = Vec3(3e-3, 1e-3, 20e-3), .rotation = Vec3(1.0, -2.0, 0.5)};
   const CycleResult result = simulation.step({&at, 1}, kCyclePeriod);
@@ -135,10 +109,11 @@ TEST_F(RegionTest, MayBeAllThatHoldsItsBody) {
 }
 
 // The same way of one body towards the other, whichever of them goes it.
-TEST_F(RegionTest, PressesAsMuchAsWhenTheOtherBodyComes) {
-  const Model model = model_of(without_fixed(body_table("upper", "z_min", "z_min")),
-                               without_fixed(body_table("lower", "z_min", "z_max")), kTouch,
-                               region("finger", "upper", "z_max") + region("table", "lower", "z_min"));
+TEST(Region, PressesAsMuchAsWhenTheOtherBodyComes) {
+  const Model model =
+      model_of(without_fixed(body_table("upper", "z_min", "z_min")),
+               without_fixed(body_table("lower", "z_min", "z_max")), kTouch,
+               region_table("finger", "upper", "z_max") + region_table("table", "lower", "z_min"));
   Simulation simulation(model);
   const Vec3 way(2.1e-3, -1.4e-3, -0.7e-3);
   const std::vector<ProbeDisplacement> going{{way}, {Vec3::Zero()}}, coming{{Vec3::Zero()}, {-way}};
@@ -160,10 +135,10 @@ TEST_F(RegionTest, PressesAsMuchAsWhenTheOtherBodyComes) {
 
 // Gaps of the rest surfaces where the region has brought them: a stroke over polygon after polygon has no jump beyond
 // what the stiffness of all contacts closed explains, and depends on the pose alone.
-TEST_F(RegionTest, StrokesWithoutAJumpAndWithoutMemory) {
+TEST(Region, StrokesWithoutAJumpAndWithoutMemory) {
   const Model model =
       model_of(without_fixed(body_table("upper", "z_min", "z_min")), body_table("lower", "z_min", "z_max"),
-               kTouch, region("finger", "upper", "z_max"));
+               kTouch, region_table("finger", "upper", "z_max"));
   Simulation stroking(model), fresh(model);
   const double step = 1e-6, depth = 0.6e-3;
   Vec3 before = Vec3::Zero();
