@@ -82,6 +82,7 @@ std::vector<ToleranceCost> measure_tolerances(const Model& model, const ContactL
     if (turn > 0 && enough) break;
   }
   std::vector<ToleranceCost> costs;
+  costs.reserve(runs.size());
   for (const auto& run : runs) costs.push_back(cost_of(*run));
   return costs;
 }
