@@ -97,9 +97,17 @@ std::shared_ptr<const Compliance> unit_compliance(const BodySpec& spec, const Bo
 
 /// Whether a region is all that holds the body. Then it is also all that presses it: what a probe pressed would turn
 /// with the body.
-void find_out_who_is_alone(const BodySpec& spec, const Body& body, std::vector<Probe>& probes) {
+void find_out_who_is_alone(const BodySpec& spec, const Body& body, const std::vector<const ProbeSpec*>& specs,
+                           std::vector<Probe>& probes) {
   const auto regions =
       std::ranges::count_if(probes, [](const Probe& probe) { return probe.region != nullptr; });
+  for (std::size_t i = 0; i < probes.size(); ++i)
+    if (probes[i].region && specs[i]->reach > 0.0 && (!body.fixed.empty() || regions > 1))
+      refuse_key(fmt::format("probes.{}.reach", probes[i].name),
+                 fmt::format(
+                     "a region goes far only where it is all that holds its body, and {} has other supports; "
+                     "accepted: the probe without reach, or the body without fixed",
+                     spec.name));
   if (!body.fixed.empty() || regions > 1) return;
   if (regions == 0)
     refuse_key(
@@ -113,6 +121,7 @@ void find_out_who_is_alone(const BodySpec& spec, const Body& body, std::vector<P
                     std::ranges::find_if(probes, [](const Probe& probe) { return !probe.region; })->name));
   Region region = *probes.front().region;
   region.alone = true;
+  region.carries = specs.front()->reach > 0.0;
   probes.front().region = std::make_shared<const Region>(std::move(region));
 }
 
@@ -136,7 +145,7 @@ CompiledBody compile_body(const BodySpec& spec, const std::vector<const ProbeSpe
     compiled.probes.push_back(std::move(probe));
   }
   std::ranges::sort(held);
-  find_out_who_is_alone(spec, body, compiled.probes);
+  find_out_who_is_alone(spec, body, probes, compiled.probes);
   const std::vector<int> colliding = colliding_nodes(spec, *body.mesh, *body.surface, held);
   touched.insert(touched.end(), colliding.begin(), colliding.end());
   std::ranges::sort(touched);

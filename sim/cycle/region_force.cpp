@@ -9,7 +9,7 @@ void add_region_force(const Model& model, int index, Response& response) {
   const Body& body = model.bodies[probe.body];
   const Eigen::VectorXd& loads = response.loads.on_body[probe.body];
   Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
-  if (probe.region->alone) {
+  if (probe.region->carries) {
     const Eigen::Matrix3d turn = rotation_of(response.loads.held[index]);
     for (Eigen::Index node = 0; node < body.rest.cols(); ++node) {
       const Vec3 load = loads.segment<3>(3 * node);

@@ -21,7 +21,7 @@ auto turned(const Eigen::Matrix3d& turn, const Vector& vectors) {
 
 Eigen::Matrix3d turn_of(const Model& model, int body, const Loads& loads) {
   for (const int probe : model.bodies[body].probes)
-    if (const auto& region = model.probes[probe].region; region && region->alone)
+    if (const auto& region = model.probes[probe].region; region && region->carries)
       return rotation_of(loads.held[probe]);
   return Eigen::Matrix3d::Identity();
 }

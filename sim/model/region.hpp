@@ -40,6 +40,7 @@ inline Eigen::Matrix<double, 3, 12> motion_at(const Vec3& r) {
 struct Region {
   std::vector<int> nodes{};  // mesh nodes, ascending
   bool alone = false;        // the body has no other support: it follows the region as a whole
+  bool carries = false;  // and may be taken far: what faces what changes, and the body's frame turns with it
 
   Eigen::MatrixXd touch_motion{};  // of the touchable nodes of the unloaded body, 3t x 12
   Eigen::MatrixXf drawn_motion{};  // of the drawn nodes, 3d x 12

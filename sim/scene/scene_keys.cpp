@@ -184,8 +184,8 @@ constexpr std::array kProbeKeys{
         .example = "\"20 mm\"",
         .absent = "it stays at its place, and what it holds goes along with it",
         .meaning =
-            "How far it slides over the surface, across its direction. `palpate press --path` sets it to what "
-            "the path needs.",
+            "How far a pad slides over the surface, across its direction, or a region takes a body that nothing "
+            "else holds. `palpate press --path` sets it to what the path needs.",
         .along = "kind = \"pad\"\nradius = \"6 mm\""},
     Key{.name = "group",
         .takes = base::kText,

@@ -51,14 +51,33 @@ std::size_t probe_of(const sim::Model& model, const ProbePath& path, const std::
 
 }  // namespace
 
+namespace {
+
+/// Whether a probe of this kind can take what it holds elsewhere, in this scene.
+bool can_go(const sim::Scene& scene, const sim::ProbeSpec& probe) {
+  const auto kinds = sim::probe_kind_keys();
+  const sim::ProbeKindKeys& kind = *std::ranges::find(kinds, probe.kind, &sim::ProbeKindKeys::name);
+  if (!kind.takes_group) return kind.takes_reach;
+  const auto body = std::ranges::find(scene.bodies, probe.body, &sim::BodySpec::name);
+  const auto others = std::ranges::count(scene.probes, probe.body, &sim::ProbeSpec::body);
+  return kind.takes_reach && body != scene.bodies.end() && !body->fixed && others == 1;
+}
+
+/// How far a path goes across a direction, or how much it turns what is a metre away [m].
+double reach_of(const ProbePath& path, const sim::Vec3& direction) {
+  double reach = 0.0;
+  for (const sim::Vec3& place : path.places) reach = std::max(reach, place.cross(direction).norm());
+  for (const sim::Vec3& rotation : path.rotations) reach = std::max(reach, rotation.norm());
+  return reach;
+}
+
+}  // namespace
+
 void let_reach(sim::Scene& scene, const std::string& file) {
   for (const ProbePath& path : devices::parse_path(base::read_file(file, "a path (.csv)"), file)) {
     const auto probe = std::ranges::find(scene.probes, path.probe, &sim::ProbeSpec::name);
-    if (probe == scene.probes.end() || probe->reach > 0.0) continue;
-    const auto kinds = sim::probe_kind_keys();
-    if (!std::ranges::find(kinds, probe->kind, &sim::ProbeKindKeys::name)->takes_reach) continue;
-    for (const sim::Vec3& place : path.places)
-      probe->reach = std::max(probe->reach, place.cross(probe->direction).norm());
+    if (probe != scene.probes.end() && probe->reach == 0.0 && can_go(scene, *probe))
+      probe->reach = reach_of(path, probe->direction);
   }
 }
 

@@ -19,7 +19,7 @@ constexpr double kFirstLook = 0.02;  // of the largest body's size
 bool is_carried(const Model& model, int body) {
   return std::ranges::any_of(model.bodies[body].probes, [&](int probe) {
     const auto& region = model.probes[probe].region;
-    return region && region->alone;
+    return region && region->carries;
   });
 }
 
@@ -56,7 +56,7 @@ Vec3 moved_by_regions(const Model& model, const ProbeRows& probes, const FacingP
   Vec3 moved = Vec3::Zero();
   for (std::size_t p = 0; p < model.probes.size(); ++p) {
     const Probe& probe = model.probes[p];
-    if (!probe.region || probe.region->alone) continue;
+    if (!probe.region || probe.region->carries) continue;
     for (Eigen::Index mode = 0; mode < 12; ++mode)
       if (const double by = probes[p].region[mode]; by != 0.0)
         moved += by * relative_motion(pair, probe.body, probe.region->touch_motion.col(mode));
@@ -127,7 +127,7 @@ double way_between(const Body& body, const RigidPose& before, const RigidPose& a
 void carry(const Model& model, const ProbeRows& probes, Carried& carried) {
   for (std::size_t p = 0; p < model.probes.size(); ++p) {
     const Probe& probe = model.probes[p];
-    if (!probe.region || !probe.region->alone) continue;
+    if (!probe.region || !probe.region->carries) continue;
     const Eigen::Matrix3d turn = rotation_of(probes[p].region);
     const RigidPose pose{turn, probes[p].region.head<3>() + probe.at - turn * probe.at};
     if (turn != carried.turns[probe.body]) std::ranges::fill(carried.known, 0);
@@ -258,7 +258,7 @@ void give_way(const Model& model, const ProbeRows& probes, std::span<const doubl
     for (Eigen::Index axis = 0; axis < probe.axes.cols(); ++axis, ++force)
       for (std::size_t i = 0; i < probe.nodes.size(); ++i)
         push(model, probe.body, probe.nodes[i], weights[i] * *force, carried);
-    if (!probe.region || probe.region->alone) continue;
+    if (!probe.region || probe.region->carries) continue;
     for (Eigen::Index mode = 0; mode < 12; ++mode)
       carried.moved[probe.body] += kFollows * std::abs(probes[p].region[mode]) *
                                    probe.region->touch_motion.col(mode).lpNorm<Eigen::Infinity>();

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <array>
 
+#include "sim/contact/exact/exact.hpp"
 #include "sim/cycle/press.hpp"
 #include "sim/elasticity/stiffness.hpp"
 #include "tests/sim/support/body_table.hpp"
@@ -92,7 +94,7 @@ TEST(Region, SharesItsBodyWithOtherProbes) {
 TEST(Region, MayBeAllThatHoldsItsBody) {
   const Model model =
       model_of(without_fixed(body_table("upper", "z_min", "z_min")), body_table("lower", "z_min", "z_max"),
-               kTouch, region_table("finger", "upper", "z_max"));
+               kTouch, region_table("finger", "upper", "z_max", "20 mm"));
   Simulation simulation(model);
   const ProbeDisplacement at{.from_rest = Vec3(3e-3, 1e-3, 20e-3), .rotation = Vec3(1.0, -2.0, 0.5)};
   const CycleResult result = simulation.step({&at, 1}, kCyclePeriod);
@@ -110,10 +112,10 @@ TEST(Region, MayBeAllThatHoldsItsBody) {
 
 // The same way of one body towards the other, whichever of them goes it.
 TEST(Region, PressesAsMuchAsWhenTheOtherBodyComes) {
-  const Model model =
-      model_of(without_fixed(body_table("upper", "z_min", "z_min")),
-               without_fixed(body_table("lower", "z_min", "z_max")), kTouch,
-               region_table("finger", "upper", "z_max") + region_table("table", "lower", "z_min"));
+  const Model model = model_of(
+      without_fixed(body_table("upper", "z_min", "z_min")),
+      without_fixed(body_table("lower", "z_min", "z_max")), kTouch,
+      region_table("finger", "upper", "z_max", "20 mm") + region_table("table", "lower", "z_min", "20 mm"));
   Simulation simulation(model);
   const Vec3 way(2.1e-3, -1.4e-3, -0.7e-3);
   const std::vector<ProbeDisplacement> going{{way}, {Vec3::Zero()}}, coming{{Vec3::Zero()}, {-way}};
@@ -138,7 +140,7 @@ TEST(Region, PressesAsMuchAsWhenTheOtherBodyComes) {
 TEST(Region, StrokesWithoutAJumpAndWithoutMemory) {
   const Model model =
       model_of(without_fixed(body_table("upper", "z_min", "z_min")), body_table("lower", "z_min", "z_max"),
-               kTouch, region_table("finger", "upper", "z_max"));
+               kTouch, region_table("finger", "upper", "z_max", "20 mm"));
   Simulation stroking(model), fresh(model);
   const double step = 1e-6, depth = 0.6e-3;
   Vec3 before = Vec3::Zero();
@@ -160,6 +162,26 @@ TEST(Region, StrokesWithoutAJumpAndWithoutMemory) {
   // The force is some `most` at 0.6 mm of depth; a step sideways is a thousandth of that way, and edges of the box meet
   // nodes: fifty times the mean slope is far below a contact that is lost or gained at once.
   EXPECT_LT(largest, 50 * most * step / depth);
+}
+
+// Without a reach what faces what stays as it was at rest, and the system is a constant of the scene. Straight down,
+// that is the same as what is found anew, to what the lower box's few millimetres let faces change.
+TEST(Region, KeepsWhatFacedAtRestWithoutAReach) {
+  std::array<Vec3, 2> forces;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Model model =
+        model_of(without_fixed(body_table("upper", "z_min", "z_min")), body_table("lower", "z_min", "z_max"),
+                 kTouch, region_table("finger", "upper", "z_max", k == 0 ? "" : "20 mm"));
+    Simulation simulation(model);
+    const ProbeDisplacement at{.from_rest = Vec3(0, 0, -1e-3)};
+    const CycleResult result = simulation.step({&at, 1}, kCyclePeriod);
+    EXPECT_LE(result.solve.residual, 1e-10);
+    forces[k] = result.probe_forces[0];
+    EXPECT_EQ(static_cast<const ExactScratch&>(*simulation.law_scratch()).carried.has_value(), k == 1);
+  }
+  EXPECT_GT(forces[0].z(), 0.5);
+  // nodes of the upper box over the flat face of the lower one: they face the same places, whatever the depth
+  EXPECT_LT((forces[0] - forces[1]).norm(), 1e-9 * forces[0].norm());
 }
 
 }  // namespace

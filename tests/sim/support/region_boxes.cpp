@@ -29,10 +29,13 @@ std::string without_fixed(std::string table) {
   return table.erase(at, table.find('\n', at) + 1 - at);
 }
 
-std::string region_table(const std::string& name, const std::string& body, const std::string& group) {
+std::string region_table(const std::string& name, const std::string& body, const std::string& group,
+                         const std::string& reach) {
   return fmt::format(
-      "[probes.{}]\nbody = \"{}\"\nkind = \"region\"\ngroup = \"{}\"\ndirection = [0, 0, -1]\ndepth = \"2 mm\"\n",
-      name, body, group);
+             "[probes.{}]\nbody = \"{}\"\nkind = \"region\"\ngroup = \"{}\"\ndirection = [0, 0, -1]\ndepth = \"2 "
+             "mm\"\n",
+             name, body, group) +
+         (reach.empty() ? "" : fmt::format("reach = \"{}\"\n", reach));
 }
 
 }  // namespace palpate::sim::test

@@ -14,6 +14,8 @@ std::filesystem::path write_region_boxes(const std::string& upper, const std::st
 std::string without_fixed(std::string body_table);
 
 /// The table of a probe that holds a group of a body as one and goes down.
-std::string region_table(const std::string& name, const std::string& body, const std::string& group);
+/// @param reach  how far it takes a body that nothing else holds: "20 mm"; empty: it does not
+std::string region_table(const std::string& name, const std::string& body, const std::string& group,
+                         const std::string& reach = "");
 
 }  // namespace palpate::sim::test

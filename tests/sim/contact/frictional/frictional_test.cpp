@@ -27,7 +27,7 @@ Model carried(double friction) {
       fmt::format("[contact]\ntouch = [[\"upper\", \"lower\"]]\nmodel = \"exact\"\npairing = \"nodes of "
                   "upper\"\nfriction = {}\n",
                   friction),
-      region_table("finger", "upper", "z_max")));
+      region_table("finger", "upper", "z_max", "20 mm")));
 }
 
 /// Two boxes, the upper one held at its sides and pressed by a point.
