@@ -50,7 +50,8 @@ void ForceBound::grow(UpdatedFactor& factor, std::size_t holding, const Eigen::V
   std::ranges::fill(taken_, 0);
   for (const int row : factor.rows()) taken_[static_cast<std::size_t>(row)] = 1;
   rho_ = 0.0;
-  for (std::size_t before = 0; before != factor.rows().size();) {
+  std::size_t before = 0;
+  do {
     before = factor.rows().size();
     for (Eigen::Index row = system_->bilateral; row < forces.size(); ++row) {
       if (taken_[static_cast<std::size_t>(row)] ||
@@ -68,7 +69,7 @@ void ForceBound::grow(UpdatedFactor& factor, std::size_t holding, const Eigen::V
     }
     factor.forward(change_);
     rho_ = contacts(change_, holding).norm();
-  }
+  } while (before != factor.rows().size());
 }
 
 /// One component of a probe's force, which axis_ holds as what each row does to it.

@@ -8,6 +8,9 @@
 #include "sim/compile/compile.hpp"
 #include "sim/compliance/cache.hpp"
 #include "sim/cycle/press.hpp"
+#include "tests/sim/support/body_table.hpp"
+#include "tests/sim/support/region_boxes.hpp"
+#include "tests/sim/support/two_boxes.hpp"
 #include "tests/support/heap_use.hpp"
 #include "tests/support/places.hpp"
 
@@ -90,6 +93,70 @@ TEST_P(Allocation, NoneInTheCycle) {
 
 INSTANTIATE_TEST_SUITE_P(Laws, Allocation, testing::Values("none", "sibille", "kuroda", "exact"),
                          [](const auto& law) { return std::string(law.param); });
+
+/// A scene, and the ways that its probes go.
+struct Called {
+  const char* name;
+  Model (*model)();
+  Vec3 way;  // of the first probe, to and fro
+};
+
+Model carried(const char* contact) {
+  return test::compile_scene(test::write_region_boxes(
+      test::without_fixed(test::body_table("upper", "z_min", "z_min")),
+      test::body_table("lower", "z_min", "z_max"),
+      std::string("[contact]\ntouch = [[\"upper\", \"lower\"]]\nmodel = \"exact\"\n") + contact,
+      test::region_table("finger", "upper", "z_max", "20 mm")));
+}
+
+class AllocationOfEffect : public testing::TestWithParam<Called> {};
+
+// For each effect and each kind of probe that a scene may call for, from the first touch on.
+TEST_P(AllocationOfEffect, NoneInTheCycle) {
+  if (!kHeapIsCounted) GTEST_SKIP() << kNotCounted;
+  const Model model = GetParam().model();
+  Simulation simulation(model);
+  std::vector<ProbeDisplacement> at(model.probes.size());
+  int most = 0;
+  const auto use = heap_use([&] {
+    for (int k = 0; k <= 400; ++k) {
+      at.front().from_rest = (k <= 200 ? k : 400 - k) / 200.0 * GetParam().way;
+      if (model.probes.front().region) at.front().rotation = Vec3(0, 0, 1e-4 * k);
+      const CycleResult result = simulation.step(at, kCyclePeriod);
+      most = std::max(most, result.pairs[0].active);
+    }
+  });
+  EXPECT_EQ(use.allocations, 0);
+  EXPECT_GE(most, 3);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Effects, AllocationOfEffect,
+    testing::Values(
+        Called{"Carried", [] { return carried(""); }, Vec3(4e-3, 2e-3, -0.8e-3)},
+        Called{"CarriedWithFriction", [] { return carried("friction = 0.3\n"); }, Vec3(4e-3, 2e-3, -0.8e-3)},
+        Called{"Sliding",
+               [] {
+                 return test::compile_scene(
+                     test::write_two_boxes({.probe = "kind = \"pad\"\nradius = \"6 mm\"\nreach = \"4 mm\""}),
+                     std::vector<Override>{{"contact.model", "exact"}});
+               },
+               Vec3(3e-3, 1e-3, -1.5e-3)},
+        Called{"FrictionUnderAPoint",
+               [] {
+                 return test::compile_scene(
+                     test::write_two_boxes(),
+                     std::vector<Override>{{"contact.model", "exact"}, {"contact.friction", "0.3"}});
+               },
+               Vec3(0.3e-3, 0, -1.5e-3)},
+        Called{"WithinTolerance",
+               [] {
+                 return test::compile_scene(
+                     test::write_two_boxes(),
+                     std::vector<Override>{{"contact.model", "exact"}, {"contact.tolerance", "5 %"}});
+               },
+               Vec3(0, 0, -1.5e-3)}),
+    [](const auto& called) { return std::string(called.param.name); });
 
 }  // namespace
 }  // namespace palpate::sim

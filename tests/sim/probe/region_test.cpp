@@ -184,5 +184,23 @@ TEST(Region, KeepsWhatFacedAtRestWithoutAReach) {
   EXPECT_LT((forces[0] - forces[1]).norm(), 1e-9 * forces[0].norm());
 }
 
+// A first touch, before any contact is closed, is no exact answer either: the bound must see the contacts that overlap.
+TEST(Region, IsFeltWithinTheToleranceFromTheFirstTouch) {
+  const auto scene = test::write_region_boxes(without_fixed(body_table("upper", "z_min", "z_min")),
+                                              body_table("lower", "z_min", "z_max"), kTouch,
+                                              region_table("finger", "upper", "z_max"));
+  const Model exact = compile_scene(scene);
+  const Model model = compile_scene(scene, std::vector<Override>{{"contact.tolerance", "1 %"}});
+  for (const double depth : {0.25e-3, 0.6e-3, 1.5e-3}) {
+    Simulation one(exact), other(model);
+    const ProbeDisplacement at{.from_rest = Vec3(0, 0, -depth)};
+    const Vec3 right = one.step({&at, 1}, kCyclePeriod).probe_forces[0];
+    const CycleResult felt = other.step({&at, 1}, kCyclePeriod);
+    EXPECT_GT(right.norm(), 0.0);
+    EXPECT_LE((felt.probe_forces[0] - right).norm(), felt.solve.force_error_bound + 1e-9 * right.norm());
+    EXPECT_LE(felt.solve.force_error_bound, 0.01 * right.norm() * 1.02);
+  }
+}
+
 }  // namespace
 }  // namespace palpate::sim
