@@ -61,12 +61,20 @@ void refuse_shared_node(const ProbeSpec& spec, const Probe& probe, const std::ve
   }
 }
 
+/// The nodes that a fingertip may meet as touch indices.
+void finish_tip(const Body& body, Probe& probe) {
+  Fingertip tip = *probe.tip;
+  for (int& node : tip.nodes) node = body.touch_of_node[node];
+  probe.tip = std::make_shared<const Fingertip>(std::move(tip));
+}
+
 /// What a probe is once its body is condensed; from here on its nodes are touch indices.
 void finish_probe(const ProbeSpec& spec, const Body& body, Probe& probe) {
   probe.direction = spec.direction;
   probe.depth = spec.depth;
   probe.tangential = spec.tangential;
   if (probe.region) return;
+  if (probe.tip) return finish_tip(body, probe);
   probe.axes = spec.tangential == Tangential::Held ? Eigen::Matrix3Xd(Eigen::Matrix3d::Identity())
                                                    : Eigen::Matrix3Xd(spec.direction);
   for (int& node : probe.nodes) node = body.touch_of_node[node];
@@ -141,6 +149,7 @@ CompiledBody compile_body(const BodySpec& spec, const std::vector<const ProbeSpe
     place_probe(*probe_spec, *body.mesh, *body.surface, body.fixed, probe);
     refuse_shared_node(*probe_spec, probe, compiled.probes, *body.mesh);
     touched.insert(touched.end(), probe.nodes.begin(), probe.nodes.end());
+    if (probe.tip) touched.insert(touched.end(), probe.tip->nodes.begin(), probe.tip->nodes.end());
     if (probe.region) held.insert(held.end(), probe.region->nodes.begin(), probe.region->nodes.end());
     compiled.probes.push_back(std::move(probe));
   }

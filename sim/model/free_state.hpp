@@ -31,6 +31,7 @@ struct ProbeRow {
   Eigen::MatrixXd compliance{};  // likewise
 
   RegionMotion region = RegionMotion::Zero();  // of a probe that holds a region
+  Vec3 centre = Vec3::Zero();                  // of a fingertip, where it is [m]
 };
 using ProbeRows = std::vector<ProbeRow>;  // one a probe
 

@@ -52,6 +52,13 @@ struct Slide {
   std::vector<Triangle> triangles{};  // between knots, those that face the probe
 };
 
+/// A rigid sphere that presses from outside: nothing holds to it.
+struct Fingertip {
+  double radius = 0.0;         // [m]
+  Vec3 centre = Vec3::Zero();  // where it touches the surface at rest [m]
+  std::vector<int> nodes{};    // that it may meet: touch indices, as mesh nodes until the body is condensed
+};
+
 /// What presses: holds the weighted mean of its nodes, and spreads its force with the same weights. While it
 /// presses (displacement . direction > 0) it prescribes W u = d along its axes.
 struct Probe {
@@ -68,6 +75,7 @@ struct Probe {
   Eigen::MatrixXd compliance{};   // displacement of the touchable nodes per newton along each axis, for
                                   // E = 1 Pa, 3t x rows [m/N]
   Slide slide{};
+  std::shared_ptr<const Fingertip> tip{};  // of a kind that touches from outside: then no nodes and no axes
   std::shared_ptr<const Region>
       region{};  // of a kind that holds one: then no nodes and no axes, and `at` is the centre
 };

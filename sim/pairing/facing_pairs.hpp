@@ -7,10 +7,13 @@
 
 namespace palpate::sim {
 
+/// In the place of a body: what does not give way, a fingertip.
+inline constexpr int kRigid = -1;
+
 /// A node of one body and the place on the surface of another that is nearest to it at rest. To first order the
 /// gap between them is gap + normal . (u of the node - weighted mean of u of the corners), u the displacements.
 struct FacingPair {
-  int touch_pair = 0;           // index into Model::pairs
+  int touch_pair = 0;           // index into Model::pairs; of a fingertip's, into Model::probes
   int node_body = 0, node = 0;  // body and touch index
   int polygon_body = 0;
   Triangle corners{};           // of the polygon, touch indices

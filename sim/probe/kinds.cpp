@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "sim/probe/fingertip/fingertip.hpp"
 #include "sim/probe/pad/pad.hpp"
 #include "sim/probe/point/point.hpp"
 #include "sim/probe/region/region.hpp"
@@ -18,9 +19,9 @@ namespace {
 constexpr std::array kKinds{
     &kPoint,
     &kPad,
+    &kFingertip,
     &kRegion,
 };
-constexpr std::array<std::string_view, 1> kLaterKinds{"fingertip"};
 
 }  // namespace
 
@@ -37,7 +38,7 @@ const ProbeKind& probe_kind(std::string_view name) {
 }
 
 base::Words probe_kind_words() {
-  base::Words words{.now = {}, .later = {kLaterKinds.begin(), kLaterKinds.end()}};
+  base::Words words;
   for (const ProbeKind* kind : kKinds) words.now.push_back({kind->keys.name, kind->keys.meaning});
   return words;
 }

@@ -122,6 +122,18 @@ void hold_group(const ProbeSpec& spec, const TetMesh& mesh, const std::vector<in
 
 }  // namespace
 
+namespace {
+
+/// What is fixed gives way to no finger.
+void meet_free_nodes(const std::vector<int>& fixed, const Vec3& place, Probe& probe) {
+  Fingertip tip = *probe.tip;
+  std::erase_if(tip.nodes, [&](int node) { return std::ranges::binary_search(fixed, node); });
+  probe.tip = std::make_shared<const Fingertip>(std::move(tip));
+  probe.at = place;
+}
+
+}  // namespace
+
 void place_probe(const ProbeSpec& spec, const TetMesh& mesh, const Surface& surface,
                  const std::vector<int>& fixed, Probe& probe) {
   probe.kind = &probe_kind(spec.kind);
@@ -132,6 +144,7 @@ void place_probe(const ProbeSpec& spec, const TetMesh& mesh, const Surface& surf
   if (!std::ranges::binary_search(surface.nodes, middle))
     refuse(spec, fmt::format("node {} lies inside {}; accepted: a node of its surface", *tag, spec.body));
   probe.kind->hold(spec, mesh, surface, middle, probe);
+  if (probe.tip) return meet_free_nodes(fixed, mesh.nodes[middle], probe);
   probe.at.setZero();
   for (std::size_t i = 0; i < probe.nodes.size(); ++i) {
     const int node = probe.nodes[i];

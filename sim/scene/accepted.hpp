@@ -28,6 +28,7 @@ struct ProbeKindKeys {
   std::string_view meaning{};  // what it presses with, a clause, for the reference
   bool takes_radius = false;   // true: radius is required; false: refused
   bool takes_reach = false;    // true: reach is accepted
+  bool holds_mean = false;     // true: it holds a mean of nodes, across its direction as `tangential` says
   bool takes_group = false;    // true: group is required, in place of at and node; false: refused
 };
 

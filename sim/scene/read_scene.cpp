@@ -268,6 +268,10 @@ ProbeSpec read_probe(base::TomlReader reader, const std::string& name) {
                                 probe.kind, kinds_with(&ProbeKindKeys::takes_reach)));
     probe.reach = reader.quantity("reach");
   }
+  if (reader.has("tangential") && !keys_of_kind(probe.kind).holds_mean)
+    reader.refuse("tangential",
+                  fmt::format("a {} takes none; accepted: the scene without it, or kind = \"{}\"", probe.kind,
+                              kinds_with(&ProbeKindKeys::holds_mean)));
   probe.tangential = reader.word("tangential", kTangentialWords);
   reader.refuse_unknown();
   return probe;

@@ -184,7 +184,7 @@ constexpr std::array kProbeKeys{
         .example = "\"5 mm\"",
         .absent = "it stays at its place, and what it holds goes along with it",
         .meaning =
-            "How far a pad slides over the surface, across its direction, or a region takes a body that nothing "
+            "How far a pad or a fingertip slides over the surface, across its direction, or a region takes a body that nothing "
             "else holds. `palpate press --path` sets it to what the path needs.",
         .along = "kind = \"pad\"\nradius = \"9 mm\""},
     Key{.name = "group",
@@ -218,7 +218,7 @@ constexpr std::array kProbeKeys{
         .takes = base::takes_word(base::words_of<kTangentialWords>),
         .example = "\"free\"",
         .fallback = "\"held\"",
-        .meaning = "What the probe does to the surface across its direction."},
+        .meaning = "What a point or a pad does to the surface across its direction."},
 };
 
 constexpr std::array kTablesByName{

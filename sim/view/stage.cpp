@@ -76,6 +76,7 @@ std::vector<Vec3> possible_shafts(const Probe& probe) {
 
 double drawn_radius(const Probe& probe, const Body& body, double diagonal) {
   if (probe.nodes.size() == 1) return 0.022 * diagonal;  // a point has no size: as large as can be seen well
+  if (probe.tip) return probe.tip->radius;
   double radius = 0.0;
   for (const int node : probe.nodes) radius = std::max(radius, (body.rest.col(node) - probe.at).norm());
   return radius;

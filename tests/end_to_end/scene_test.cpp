@@ -224,7 +224,7 @@ TEST_F(SceneCommands, SaysWhatIsWrong) {
       {{"press", kStudy, "--save", file("state")}, {"--save", "protocol"}},
       {{"press", kScene, "--set", "bodies.prostate.poisson_ratio=0.5"}, {"poisson_ratio", "0.5"}},
       {{"press", kScene, "--set", "probes.finger.at=[\"1e155 m\",\"0 m\",\"0 m\"]"},
-       {"probes.finger: at: is 1e+155 m away from rectum", "a place at its surface"}},
+       {"probes.finger: at: is 1e+155 m away from the surface of rectum", "a place at its surface"}},
       {{"press", kScene, "--set", "bodies.prostate.scale=1e160"}, {"bodies.prostate", "from the origin"}},
       {{"press", kScene, "--set", "bodies.prostate.scale=1e-9"}, {"bodies.prostate", "m across"}},
       {{"press", kScene, "--set", "bodies.prostrate.scale=2"},

@@ -39,14 +39,14 @@ sim::Vec3 normal_at(const sim::Body& body, const sim::Probe& probe) {
 }
 
 void add_probe_warnings(const sim::Body& body, const sim::Probe& probe, std::vector<std::string>& warnings) {
-  if (normal_at(body, probe).dot(probe.direction) > 0.0)
+  if (!probe.nodes.empty() && normal_at(body, probe).dot(probe.direction) > 0.0)
     warnings.push_back(fmt::format(
         "probes.{} pulls outwards: its direction points out of {}; accepted without warning: a direction into it",
         probe.name, body.name));
   if (const double size = size_of(body); probe.depth > size)
     warnings.push_back(fmt::format("probes.{} presses {:g} mm deep into a body {:g} mm across", probe.name,
                                    1e3 * probe.depth, 1e3 * size));
-  if (probe.kind->keys.takes_radius && probe.nodes.size() < kPadNodes)
+  if (probe.kind->keys.takes_radius && !probe.tip && probe.nodes.size() < kPadNodes)
     warnings.push_back(
         fmt::format("probes.{}: its radius reaches no more than {} of the mesh, so that the {} acts as a "
                     "point; accepted without warning: a radius of two edges or more",

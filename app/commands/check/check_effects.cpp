@@ -16,6 +16,12 @@
 namespace palpate::app {
 namespace {
 
+/// Nodes that a probe holds, or may touch.
+std::size_t nodes_of(const sim::Probe& probe) {
+  if (probe.region) return probe.region->nodes.size();
+  return probe.tip ? probe.tip->nodes.size() : probe.nodes.size();
+}
+
 /// Median time of a cycle [microseconds] while the probes go to and fro over the deepest fifth of their press, as a hand
 /// does: a pose that is held lets a law find what it found before. Over cycles enough for a stable median.
 double median_cycle_us(const sim::Model& model) {
@@ -64,8 +70,8 @@ EffectsCheck check_effects(const sim::Scene& scene, const sim::Model& model) {
   check.deformation_us = median_cycle_us(bare);
   for (const sim::Probe& probe : model.probes)
     check.probes.push_back({probe.name, std::string(probe.kind->keys.name),
-                            place_of_call(scene, fmt::format("probes.{}.kind", probe.name)),
-                            probe.nodes.size()});
+                            place_of_call(scene, fmt::format("probes.{}.kind", probe.name)), nodes_of(probe),
+                            probe.tip != nullptr});
   return check;
 }
 
@@ -82,7 +88,8 @@ std::string to_text(const EffectsCheck& check) {
                         : fmt::format("nothing calls for it: {}", effect.state.reason));
   text += "\nprobes\n";
   for (const ProbeCheck& probe : check.probes)
-    text += fmt::format("  {}: a {}, which holds {}; {}\n", probe.name, probe.kind,
+    text += fmt::format("  {}: a {}, which {} {}; {}\n", probe.name, probe.kind,
+                        probe.touches ? "may touch" : "holds",
                         base::counted(static_cast<long>(probe.nodes), "node", "nodes"), probe.place);
   return text +
          "\nMedian times on this machine over the deepest fifth of a press: an effect's is what a cycle takes "

@@ -23,7 +23,8 @@ struct ProbeCheck {
   std::string name{};
   std::string kind{};
   std::string place{};
-  std::size_t nodes = 0;  // that it holds
+  std::size_t nodes = 0;  // that it holds, or may touch
+  bool touches = false;   // from outside: it holds none
 };
 
 /// What a scene calls for, and what that costs on this machine.

@@ -245,6 +245,7 @@ void push(const Model& model, int body, int node, double force, Carried& carried
 
 void give_way(const Model& model, const FacingPair& pair, double force, Carried& carried) {
   push(model, pair.node_body, pair.node, force, carried);
+  if (pair.polygon_body == kRigid) return;
   for (std::size_t k = 0; k < 3; ++k)
     push(model, pair.polygon_body, pair.corners[k], pair.weights[static_cast<Eigen::Index>(k)] * force,
          carried);

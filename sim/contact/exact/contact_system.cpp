@@ -1,7 +1,6 @@
 #include "sim/contact/exact/contact_system.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <vector>
 
 #include "sim/contact/exact/coupling.hpp"
@@ -42,10 +41,15 @@ void fill_with_probes(const Model& model, const ProbeRows& probes, const FacingP
           opened_by(pair, probe.body, compliance.col(axis)) / model.bodies[probe.body].young_modulus;
     }
   }
-  for (RegionPull& region : system.regions) {
-    const Probe& probe = model.probes[region.probe];
+  for (RegionPull& pull : system.regions) {
+    const Probe& probe = model.probes[pull.probe];
+    if (probe.tip) {
+      const bool its_own = pair.polygon_body == kRigid && pair.touch_pair == pull.probe;
+      pull.rows.row(row) = its_own ? Eigen::RowVector3d(pair.normal.transpose()) : Eigen::RowVector3d::Zero().eval();
+      continue;
+    }
     for (Eigen::Index component = 0; component < 3; ++component)
-      region.rows(row, component) = opened_by(pair, probe.body, probe.region->touch_motion.col(component));
+      pull.rows(row, component) = opened_by(pair, probe.body, probe.region->touch_motion.col(component));
   }
 }
 
@@ -72,13 +76,15 @@ void write_between_probes(const Model& model, const ProbeRows& probes, Eigen::Ma
 
 void fill_probes(const Model& model, const ProbeRows& probes, ContactSystem& system) {
   write_between_probes(model, probes, system.compliance);
-  for (RegionPull& region : system.regions)
+  for (RegionPull& region : system.regions) {
+    if (!model.probes[region.probe].region) continue;
     for (const int other : model.bodies[model.probes[region.probe].body].probes)
       for (Eigen::Index axis = 0; axis < model.probes[other].axes.cols(); ++axis)
         for (Eigen::Index component = 0; component < 3; ++component)
           region.rows(system.first_of_probe[other] + axis, component) =
               measured(model.probes[other], weights_of(model.probes[other], probes[other]), axis,
                        model.probes[region.probe].region->touch_motion.col(component));
+  }
 }
 
 ContactSystem empty_system(const Model& model, std::size_t contacts) {
@@ -88,7 +94,8 @@ ContactSystem empty_system(const Model& model, std::size_t contacts) {
                        .bilateral = first.back(),
                        .first_of_probe = std::move(first)};
   for (int p = 0; p < std::ssize(model.probes); ++p)
-    if (model.probes[p].region) system.regions.push_back({p, Eigen::MatrixXd::Zero(size, 3)});
+    if (model.probes[p].region || model.probes[p].tip)
+      system.regions.push_back({p, Eigen::MatrixXd::Zero(size, 3)});
   fill_probes(model, probe_rows(model), system);
   return system;
 }
@@ -107,16 +114,6 @@ void fill_contacts(const Model& model, const ProbeRows& probes, std::span<const 
           pairs[j].normal.dot(coupling(turns, pairs[j], response) * pairs[i].normal);
     }
   }
-}
-
-ContactSystem contact_system(const Model& model, std::span<const FacingPair> pairs) {
-  ContactSystem system = empty_system(model, pairs.size());
-  std::vector<int> all(pairs.size());
-  std::iota(all.begin(), all.end(), 0);
-  const std::vector<Eigen::Matrix3d> turns(model.bodies.size(), Eigen::Matrix3d::Identity());
-  PushResponse response(model);
-  fill_contacts(model, probe_rows(model), turns, pairs, all, all, response, system);
-  return system;
 }
 
 }  // namespace palpate::sim

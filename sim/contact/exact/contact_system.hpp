@@ -10,11 +10,9 @@
 
 namespace palpate::sim {
 
-/// The rows of every probe's axes (in the model's order), then one of each pair along its normal, on the compliance
-/// of all bodies: K = sum over bodies of J C J^T / E. Bodies stand where the scene puts them.
-ContactSystem contact_system(const Model& model, std::span<const FacingPair> pairs);
-
-/// Room for so many contacts, their rows 0; what the probes' rows do to each other stands.
+/// Room for so many contacts, their rows 0: first the rows of every probe's axes (in the model's order), then one of
+/// each contact along its normal, on the compliance of all bodies: K = sum over bodies of J C J^T / E. What the probes'
+/// rows do to each other stands.
 ContactSystem empty_system(const Model& model, std::size_t contacts);
 
 /// What the probes' rows do to each other where the probes are now, which is the first block of a system.

@@ -41,6 +41,7 @@ void respond(const Model& model, std::span<const Eigen::Matrix3d> turns, const F
   response.bodies = {pushed.node_body, pushed.polygon_body};
   for (std::size_t side = 0; side < 2; ++side) {
     const int index = response.bodies[side];
+    if (index == kRigid) continue;
     const Body& body = model.bodies[index];
     const Side from = side_on(pushed, index);
     const Eigen::Matrix3d into = turns[index].transpose() / body.young_modulus;
@@ -60,6 +61,7 @@ Eigen::Matrix3d coupling(std::span<const Eigen::Matrix3d> turns, const FacingPai
                          const PushResponse& response) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   for (std::size_t side = 0; side < 2; ++side) {
+    if (response.bodies[side] == kRigid) continue;
     const Side to = side_on(measured, response.bodies[side]);
     if (to.count == 0) continue;
     Eigen::Matrix3d apart = Eigen::Matrix3d::Zero();

@@ -1,8 +1,10 @@
 #include "sim/contact/exact/exact.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "sim/contact/exact/contact_system.hpp"
+#include "sim/probe/probes.hpp"
 
 namespace palpate::sim {
 namespace {
@@ -17,12 +19,17 @@ void take_probes(const Model& model, const ProbeRows& probes, ExactScratch& scra
     }
 }
 
-/// The push of every contact on both bodies.
-void add_contacts(const Model& model, ExactScratch& scratch, Loads& loads) {
+/// The push of every contact on both bodies, or of a fingertip on one.
+void add_contacts(const Model& model, ExactScratch& scratch, Response& response) {
+  Loads& loads = response.loads;
   for (const int row : scratch.solve.active().subspan(scratch.solve.holding())) {
     const FacingPair& pair = scratch.pairs[static_cast<std::size_t>(row - scratch.system.bilateral)];
     const Vec3 push = scratch.solve.forces()[row] * pair.normal;
     loads.on_body[pair.node_body].segment<3>(3 * pair.node) += push;
+    if (pair.polygon_body == kRigid) {
+      response.probe_forces[pair.touch_pair] += push;
+      continue;
+    }
     for (std::size_t k = 0; k < 3; ++k)
       loads.on_body[pair.polygon_body].segment<3>(3 * pair.corners[k]) -=
           pair.weights[static_cast<Eigen::Index>(k)] * push;
@@ -64,20 +71,32 @@ Stop stop_of(ComplementarityReport::End end) {
   return end == End::WithinTolerance ? Stop::WithinTolerance : Stop::CapReached;
 }
 
-/// Gaps and system where probes and regions are now.
-void bring_rows(const Model& model, const ProbeRows& probes, ExactScratch& scratch) {
+/// Gaps and system of contacts between bodies where probes and regions are now.
+void bring_rows_of_bodies(const Model& model, const ProbeRows& probes, ExactScratch& scratch) {
   if (scratch.carried) {
     Carried& carried = *scratch.carried;
-    meet(model, probes, carried, scratch.pairs, scratch.gaps);
+    meet(model, probes, carried, std::span(scratch.pairs).first(scratch.first_tip), scratch.gaps);
     if (carried.renewed.empty()) return;
     fill_contacts(model, probes, carried.turns, scratch.pairs, carried.renewed, carried.near,
                   carried.response, scratch.system);
     scratch.solve.changed();
     return;
   }
-  move_gaps(scratch.regions, probes, scratch.rest_gaps, scratch.gaps);
+  move_gaps(scratch.regions, probes, scratch.rest_gaps, std::span(scratch.gaps).first(scratch.stay.size()));
   if (scratch.sliding.empty()) return;
   move_rows(model, scratch.sliding, probes, scratch.system);
+  scratch.solve.changed();
+}
+
+void bring_rows(const Model& model, const ProbeRows& probes, ExactScratch& scratch) {
+  bring_rows_of_bodies(model, probes, scratch);
+  if (!scratch.tips) return;
+  if (scratch.carried)
+    bring_tips(model, probes, scratch.first_tip, scratch.carried->near, scratch.carried->turns, scratch.pairs,
+               scratch.gaps, *scratch.tips, scratch.system);
+  else
+    bring_tips(model, probes, scratch.first_tip, scratch.stay, {}, scratch.pairs, scratch.gaps, *scratch.tips,
+               scratch.system);
   scratch.solve.changed();
 }
 
@@ -93,6 +112,8 @@ bool all_seen(const Model& model, const ProbeRows& probes, ExactScratch& scratch
   return looked_far_enough(*scratch.carried);
 }
 
+}  // namespace
+
 SolveReport solve_exact(const Model& model, const FreeState& free, std::span<const double>,
                         LawScratch& scratch, Response& response) {
   auto& own = static_cast<ExactScratch&>(scratch);
@@ -103,7 +124,7 @@ SolveReport solve_exact(const Model& model, const FreeState& free, std::span<con
     bring_rows(model, free.probes, own);
     found = own.solve.solve(own.holds, own.values, own.gaps, model.contact_tolerance);
   } while (own.carried && !all_seen(model, free.probes, own));
-  add_contacts(model, own, response.loads);
+  add_contacts(model, own, response);
   add_to_probes(model, free.probes, own, response);
   return {.stop = stop_of(found.end),
           .iterations = found.iterations,
@@ -111,18 +132,51 @@ SolveReport solve_exact(const Model& model, const FreeState& free, std::span<con
           .force_error_bound = found.force_error_bound};
 }
 
+namespace {
+
+std::vector<FacingPair> pairs_of_bodies(const Model& model, bool bodies_touch) {
+  if (!bodies_touch) return {};
+  return carries_bodies(model) ? carried_pairs(model) : facing_pairs(model);
+}
+
+std::vector<int> first_contacts(std::size_t count) {
+  std::vector<int> all(count);
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+/// The rows of contacts that stay as they are; room for the others.
+ContactSystem system_at_rest(const Model& model, std::span<const FacingPair> pairs,
+                             std::span<const int> stay) {
+  ContactSystem system = empty_system(model, pairs.size());
+  const std::vector<Eigen::Matrix3d> turns(model.bodies.size(), Eigen::Matrix3d::Identity());
+  PushResponse response(model);
+  fill_contacts(model, probe_rows(model), turns, pairs, stay, stay, response, system);
+  return system;
+}
+
+std::unique_ptr<LawScratch> prepare_exact(const Model& model) {
+  if (model.pairs.empty() && !has_tips(model)) return nullptr;
+  return std::make_unique<ExactScratch>(model);
+}
+
 }  // namespace
 
-ExactScratch::ExactScratch(const Model& model)
-    : pairs(carries_bodies(model) ? carried_pairs(model) : facing_pairs(model)),
-      carried(carries_bodies(model) ? std::optional<Carried>(std::in_place, model, pairs) : std::nullopt),
-      regions(carried ? std::vector<RegionRows>() : region_rows(model, pairs)),
-      sliding(carried ? std::vector<SlidingRows>() : sliding_rows(model, pairs)),
-      system(carried ? empty_system(model, pairs.size()) : contact_system(model, pairs)),
+ExactScratch::ExactScratch(const Model& model, bool bodies_touch)
+    : pairs(pairs_of_bodies(model, bodies_touch)),
+      first_tip(add_tips(model, pairs)),
+      carried(bodies_touch && carries_bodies(model)
+                  ? std::optional<Carried>(std::in_place, model, std::span(pairs).first(first_tip))
+                  : std::nullopt),
+      stay(first_contacts(carried ? 0 : first_tip)),
+      gaps(pairs.size()),
+      regions(region_rows(model, std::span(pairs).first(stay.size()))),
+      sliding(sliding_rows(model, std::span(pairs).first(stay.size()))),
+      system(system_at_rest(model, pairs, stay)),
       solve(system) {
   summaries.resize(model.pairs.size());
-  for (const FacingPair& pair : pairs) rest_gaps.push_back(pair.gap);
-  gaps = rest_gaps;
+  for (const FacingPair& pair : std::span(pairs).first(stay.size())) rest_gaps.push_back(pair.gap);
+  if (first_tip < pairs.size()) tips.emplace(model, pairs.size());
   const auto rows = static_cast<std::size_t>(system.bilateral);
   holds.resize(rows);
   values.resize(rows);
@@ -137,7 +191,7 @@ void ExactScratch::reset() {
 constinit const ContactLaw kExact{
     .name = "exact",
     .meaning = "contact only pushes, and only where bodies touch; both carry the same force",
-    .prepare = prepare_where_bodies_touch<ExactScratch>,
+    .prepare = prepare_exact,
     .solve = solve_exact};
 
 }  // namespace palpate::sim

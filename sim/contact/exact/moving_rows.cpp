@@ -48,10 +48,10 @@ std::vector<SlidingRows> sliding_rows(const Model& model, std::span<const Facing
 
 void move_rows(const Model& model, std::span<const SlidingRows> sliding, const ProbeRows& probes,
                ContactSystem& system) {
-  const Eigen::Index contacts = system.compliance.rows() - system.bilateral;
   for (const SlidingRows& rows : sliding) {
     const ProbeRow& row = probes[rows.probe];
     const Eigen::Index first = system.first_of_probe[rows.probe], axes = model.probes[rows.probe].axes.cols();
+    const Eigen::Index contacts = rows.gaps.front().rows();
     auto columns = system.compliance.block(system.bilateral, first, contacts, axes);
     columns.setZero();
     for (std::size_t k = 0; k < row.knots.size(); ++k)

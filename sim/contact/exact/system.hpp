@@ -5,7 +5,7 @@
 
 namespace palpate::sim {
 
-/// What a force of 1 N of each row takes off the force that holds a region: rows x 3.
+/// What a force of 1 N of each row takes off the force that holds a region, or gives to a fingertip: rows x 3.
 struct RegionPull {
   int probe = 0;
   Eigen::MatrixXd rows{};

@@ -1,21 +1,20 @@
 #include "sim/contact/none/none.hpp"
 
+#include "sim/contact/exact/exact.hpp"
+
 namespace palpate::sim {
 namespace {
 
-std::unique_ptr<LawScratch> prepare_nothing(const Model&) {
-  return nullptr;
-}
-
-SolveReport solve_nothing(const Model&, const FreeState&, std::span<const double>, LawScratch&, Response&) {
-  return {};
+/// A fingertip touches whatever the bodies do.
+std::unique_ptr<LawScratch> prepare_none(const Model& model) {
+  return has_tips(model) ? std::make_unique<ExactScratch>(model, false) : nullptr;
 }
 
 }  // namespace
 
 constinit const ContactLaw kNone{.name = kNoContact,
                                  .meaning = "bodies do not act on each other",
-                                 .prepare = prepare_nothing,
-                                 .solve = solve_nothing};
+                                 .prepare = prepare_none,
+                                 .solve = solve_exact};
 
 }  // namespace palpate::sim

@@ -9,47 +9,15 @@
 #include <vector>
 
 #include "sim/probe/mean/mean.hpp"
+#include "sim/probe/skin/skin.hpp"
 #include "sim/probe/slide/slide.hpp"
 #include "sim/scene/refuse_key.hpp"
 
 namespace palpate::sim {
 namespace {
 
-struct SurfaceOfBody {
-  const TetMesh& mesh;
-  std::map<int, std::vector<int>> neighbours{};  // of each surface node, itself too
-  std::map<int, double> area{};                  // its share of the surface
-};
-
-SurfaceOfBody describe(const TetMesh& mesh, const Surface& surface) {
-  SurfaceOfBody described{.mesh = mesh};
-  for (const Triangle& corners : surface.triangles) {
-    const Vec3 a = mesh.nodes[corners[0]], b = mesh.nodes[corners[1]], c = mesh.nodes[corners[2]];
-    for (const int node : corners) {
-      described.area[node] += (b - a).cross(c - a).norm() / 6.0;
-      std::vector<int>& beside = described.neighbours[node];
-      beside.insert(beside.end(), corners.begin(), corners.end());
-    }
-  }
-  return described;
-}
-
-/// Nodes that `within` accepts and that are reached from the middle along edges of the surface between such nodes.
-template <class Within>
-std::set<int> connected(const SurfaceOfBody& surface, int middle, const Within& within) {
-  std::set<int> found{middle};
-  std::vector<int> next{middle};
-  while (!next.empty()) {
-    const int from = next.back();
-    next.pop_back();
-    for (const int node : surface.neighbours.at(from))
-      if (within(node) && found.insert(node).second) next.push_back(node);
-  }
-  return found;
-}
-
 /// Weights of a pad whose middle is at a node: area times 1 - (distance / radius)^2, their sum 1.
-std::map<int, double> footprint(const SurfaceOfBody& surface, int middle, double radius) {
+std::map<int, double> footprint(const Skin& surface, int middle, double radius) {
   const Vec3 centre = surface.mesh.nodes[middle];
   const auto distance = [&](int node) { return (surface.mesh.nodes[node] - centre).norm() / radius; };
   std::map<int, double> weights;
@@ -62,28 +30,8 @@ std::map<int, double> footprint(const SurfaceOfBody& surface, int middle, double
   return weights;
 }
 
-void refuse_small(const ProbeSpec& spec, const SurfaceOfBody& surface, int middle) {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const int node : surface.neighbours.at(middle))
-    if (node != middle)
-      nearest = std::min(nearest, (surface.mesh.nodes[node] - surface.mesh.nodes[middle]).norm());
-  if (spec.radius <= nearest)
-    refuse_key(
-        fmt::format("probes.{}.radius", spec.name),
-        fmt::format(
-            "a pad of {:.3g} mm is smaller than the mesh of {} there, whose next node is {:.3g} mm away; "
-            "accepted: more than that (twice as much for a force that does not hang on the mesh), or "
-            "kind = \"point\"",
-            1e3 * spec.radius, spec.body, 1e3 * nearest));
-}
-
-/// How far a node is from the line of the press through the middle.
-double across(const ProbeSpec& spec, const TetMesh& mesh, int middle, int node) {
-  return (mesh.nodes[node] - mesh.nodes[middle]).cross(spec.direction).norm();
-}
-
 /// The polygons that face the probe within its reach, and their corners as knots. @return the knots' nodes
-std::vector<int> spread_slide(const ProbeSpec& spec, const SurfaceOfBody& described, const Surface& surface,
+std::vector<int> spread_slide(const ProbeSpec& spec, const Skin& described, const Surface& surface,
                               int middle, Slide& slide) {
   const TetMesh& mesh = described.mesh;
   std::map<int, int> knot_of_node;
@@ -111,8 +59,8 @@ std::vector<int> spread_slide(const ProbeSpec& spec, const SurfaceOfBody& descri
 }
 
 void hold_pad(const ProbeSpec& spec, const TetMesh& mesh, const Surface& surface, int middle, Probe& probe) {
-  const SurfaceOfBody described = describe(mesh, surface);
-  refuse_small(spec, described, middle);
+  const Skin described = skin_of(mesh, surface);
+  refuse_smaller_than_mesh(spec, described, middle);
   std::vector<int> knots;
   if (spec.reach > 0.0) {
     knots = spread_slide(spec, described, surface, middle, probe.slide);
@@ -154,7 +102,8 @@ constinit const ProbeKind kPad{
              "the pad of a finger: the surface within `radius` of it, most in the middle; it slides where "
              "it has a `reach`",
          .takes_radius = true,
-         .takes_reach = true},
+         .takes_reach = true,
+         .holds_mean = true},
     .hold = hold_pad,
     .prescribe = prescribe_pad};
 

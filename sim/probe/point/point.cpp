@@ -15,7 +15,8 @@ void hold_one_node(const ProbeSpec&, const TetMesh&, const Surface&, int middle,
 constinit const ProbeKind kPoint{
     .keys = {.name = "point",
              .meaning = "one node of the mesh, as the manipulating point of Kuroda et al. 2003",
-             .takes_radius = false},
+             .takes_radius = false,
+             .holds_mean = true},
     .hold = hold_one_node,
     .prescribe = prescribe_mean};
 

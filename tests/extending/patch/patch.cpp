@@ -18,9 +18,11 @@ void hold(const ProbeSpec&, const TetMesh&, const Surface& surface, int middle, 
 
 }  // namespace
 
-constinit const ProbeKind kPatch{
-    .keys = {.name = "patch", .meaning = "a node and its neighbours", .takes_radius = false},
-    .hold = hold,
-    .prescribe = prescribe_mean};
+constinit const ProbeKind kPatch{.keys = {.name = "patch",
+                                          .meaning = "a node and its neighbours",
+                                          .takes_radius = false,
+                                          .holds_mean = true},
+                                 .hold = hold,
+                                 .prescribe = prescribe_mean};
 
 }  // namespace palpate::sim

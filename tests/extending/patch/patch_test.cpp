@@ -25,7 +25,8 @@ TEST(Patch, HoldsTheMeanOfItsNodes) {
 
 TEST(Patch, IsOneOfTheKindsThatASceneMayName) {
   const std::string scene = test::write_two_boxes({.probe = "kind = \"thimble\""});
-  EXPECT_THAT(palpate::test::run({"press", scene}).err, testing::HasSubstr("point, pad, patch"));
+  EXPECT_THAT(palpate::test::run({"press", scene}).err,
+              testing::HasSubstr("point, pad, fingertip, region, patch"));
 }
 
 }  // namespace

@@ -142,6 +142,14 @@ INSTANTIATE_TEST_SUITE_P(
                      std::vector<Override>{{"contact.model", "exact"}});
                },
                Vec3(3e-3, 1e-3, -1.5e-3)},
+        Called{"Fingertip",
+               [] {
+                 return test::compile_scene(
+                     test::write_two_boxes(
+                         {.probe = "kind = \"fingertip\"\nradius = \"7 mm\"\nreach = \"4 mm\""}),
+                     std::vector<Override>{{"contact.model", "exact"}});
+               },
+               Vec3(2e-3, 1e-3, -3e-3)},
         Called{"FrictionUnderAPoint",
                [] {
                  return test::compile_scene(
