@@ -176,6 +176,7 @@ ExactScratch::ExactScratch(const Model& model, bool bodies_touch)
       solve(system) {
   summaries.resize(model.pairs.size());
   for (const FacingPair& pair : std::span(pairs).first(stay.size())) rest_gaps.push_back(pair.gap);
+  std::ranges::copy(rest_gaps, gaps.begin());
   if (first_tip < pairs.size()) tips.emplace(model, pairs.size());
   const auto rows = static_cast<std::size_t>(system.bilateral);
   holds.resize(rows);
