@@ -30,6 +30,7 @@ double size_of(const Body& body) {
 /// ||C_ji|| is at most the norm of its nine entries.
 std::vector<double> influence_of(const Body& body) {
   std::vector<double> most;
+  most.reserve(static_cast<std::size_t>(body.rest.cols()));
   for (Eigen::Index node = 0; node < body.rest.cols(); ++node) {
     double largest = 0.0;
     for (const int moved : body.colliding_nodes)
@@ -94,6 +95,8 @@ Carried::Carried(const Model& model, std::span<const FacingPair> pairs)
     influence.push_back(influence_of(body));
     start = std::max(start, kFirstLook * size_of(body));
   }
+  rest_overlap.reserve(pairs.size());
+  looks.reserve(pairs.size());
   for (const FacingPair& pair : pairs) {
     const Body& body = model.bodies[pair.node_body];
     rest_overlap.push_back(pair.gap);
@@ -155,7 +158,8 @@ void find_renewed(Carried& carried, std::span<FacingPair> pairs) {
     else
       carried.renewed.push_back(i);
   if (carried.renewed.empty()) return;
-  for (std::size_t i = 0; i < pairs.size(); ++i) carried.known[i] = carried.known[i] && carried.is_near[i];
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    if (!carried.is_near[i]) carried.known[i] = 0;
   for (const int i : carried.renewed) {
     carried.known[i] = 1;
     carried.filled[i] = pairs[i];

@@ -7,7 +7,7 @@
 #include "sim/probe/probes.hpp"
 
 namespace palpate::sim {
-double opened_by(const FacingPair& pair, int body, Eigen::Ref<const Eigen::VectorXd> motion) {
+double opened_by(const FacingPair& pair, int body, const Eigen::Ref<const Eigen::VectorXd>& motion) {
   return pair.normal.dot(relative_motion(pair, body, motion));
 }
 
@@ -21,7 +21,7 @@ std::vector<Eigen::Index> first_rows_of_probes(const Model& model) {
 
 /// What the nodes of a probe measure of a motion of its body's touchable nodes along its axes.
 double measured(const Probe& probe, std::span<const double> weights, Eigen::Index axis,
-                Eigen::Ref<const Eigen::VectorXd> motion) {
+                const Eigen::Ref<const Eigen::VectorXd>& motion) {
   double sum = 0.0;
   for (std::size_t i = 0; i < probe.nodes.size(); ++i)
     sum += weights[i] * probe.axes.col(axis).dot(motion.segment<3>(3 * probe.nodes[i]));
@@ -45,7 +45,8 @@ void fill_with_probes(const Model& model, const ProbeRows& probes, const FacingP
     const Probe& probe = model.probes[pull.probe];
     if (probe.tip) {
       const bool its_own = pair.polygon_body == kRigid && pair.touch_pair == pull.probe;
-      pull.rows.row(row) = its_own ? Eigen::RowVector3d(pair.normal.transpose()) : Eigen::RowVector3d::Zero().eval();
+      pull.rows.row(row) =
+          its_own ? Eigen::RowVector3d(pair.normal.transpose()) : Eigen::RowVector3d::Zero().eval();
       continue;
     }
     for (Eigen::Index component = 0; component < 3; ++component)
@@ -88,11 +89,10 @@ void fill_probes(const Model& model, const ProbeRows& probes, ContactSystem& sys
 }
 
 ContactSystem empty_system(const Model& model, std::size_t contacts) {
-  std::vector<Eigen::Index> first = first_rows_of_probes(model);
-  const Eigen::Index size = first.back() + static_cast<Eigen::Index>(contacts);
-  ContactSystem system{.compliance = Eigen::MatrixXd::Zero(size, size),
-                       .bilateral = first.back(),
-                       .first_of_probe = std::move(first)};
+  ContactSystem system{.first_of_probe = first_rows_of_probes(model)};
+  system.bilateral = system.first_of_probe.back();
+  const Eigen::Index size = system.bilateral + static_cast<Eigen::Index>(contacts);
+  system.compliance.setZero(size, size);
   for (int p = 0; p < std::ssize(model.probes); ++p)
     if (model.probes[p].region || model.probes[p].tip)
       system.regions.push_back({p, Eigen::MatrixXd::Zero(size, 3)});

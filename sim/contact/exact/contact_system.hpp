@@ -29,6 +29,6 @@ void fill_contacts(const Model& model, const ProbeRows& probes, std::span<const 
                    PushResponse& response, ContactSystem& system);
 
 /// How a motion of the touchable nodes of a body, 3t, opens a gap.
-double opened_by(const FacingPair& pair, int body, Eigen::Ref<const Eigen::VectorXd> motion);
+double opened_by(const FacingPair& pair, int body, const Eigen::Ref<const Eigen::VectorXd>& motion);
 
 }  // namespace palpate::sim

@@ -21,7 +21,7 @@ Side side_on(const FacingPair& pair, int body) {
 
 }  // namespace
 
-Vec3 relative_motion(const FacingPair& pair, int body, Eigen::Ref<const Eigen::VectorXd> motion) {
+Vec3 relative_motion(const FacingPair& pair, int body, const Eigen::Ref<const Eigen::VectorXd>& motion) {
   Vec3 apart = Vec3::Zero();
   if (pair.node_body == body) apart += motion.segment<3>(3 * pair.node);
   if (pair.polygon_body == body)

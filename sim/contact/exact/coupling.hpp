@@ -10,7 +10,7 @@
 namespace palpate::sim {
 
 /// How a motion of the touchable nodes of a body, 3t, takes the two sides of a contact apart.
-Vec3 relative_motion(const FacingPair& pair, int body, Eigen::Ref<const Eigen::VectorXd> motion);
+Vec3 relative_motion(const FacingPair& pair, int body, const Eigen::Ref<const Eigen::VectorXd>& motion);
 
 /// What forces of 1 N that push the two sides of one contact apart do to the two bodies, each in its own frame.
 struct PushResponse {

@@ -175,6 +175,7 @@ ExactScratch::ExactScratch(const Model& model, bool bodies_touch)
       system(system_at_rest(model, pairs, stay)),
       solve(system) {
   summaries.resize(model.pairs.size());
+  rest_gaps.reserve(stay.size());
   for (const FacingPair& pair : std::span(pairs).first(stay.size())) rest_gaps.push_back(pair.gap);
   std::ranges::copy(rest_gaps, gaps.begin());
   if (first_tip < pairs.size()) tips.emplace(model, pairs.size());

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <set>
 
 #include "sim/probe/skin/skin.hpp"
 
@@ -17,7 +18,8 @@ void touch_from_outside(const ProbeSpec& spec, const TetMesh& mesh, const Surfac
     return across(spec, mesh, middle, node) < spec.radius + spec.reach &&
            skin.outward.at(node).dot(spec.direction) < 0.0;
   };
-  for (const int node : connected(skin, middle, within)) tip.nodes.push_back(node);
+  const std::set<int> nodes = connected(skin, middle, within);
+  tip.nodes.assign(nodes.begin(), nodes.end());
   probe.tip = std::make_shared<const Fingertip>(std::move(tip));
 }
 

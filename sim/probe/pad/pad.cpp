@@ -67,6 +67,7 @@ void hold_pad(const ProbeSpec& spec, const TetMesh& mesh, const Surface& surface
     probe.slide.start = mesh.nodes[middle];
   }
   std::vector<std::map<int, double>> prints;
+  prints.reserve(knots.size());
   for (const int knot : knots) prints.push_back(footprint(described, knot, spec.radius));
   const std::map<int, double> here = footprint(described, middle, spec.radius);
   std::set<int> all;
@@ -77,6 +78,7 @@ void hold_pad(const ProbeSpec& spec, const TetMesh& mesh, const Surface& surface
     probe.nodes.push_back(node);
     probe.weights.push_back(here.contains(node) ? here.at(node) : 0.0);
   }
+  probe.slide.knots.reserve(knots.size());
   for (std::size_t k = 0; k < knots.size(); ++k) {
     Knot knot{.place = mesh.nodes[knots[k]], .weights = Eigen::VectorXd::Zero(std::ssize(probe.nodes))};
     for (std::size_t i = 0; i < probe.nodes.size(); ++i)
