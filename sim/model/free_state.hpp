@@ -21,17 +21,17 @@ using ProbeDisplacements = std::span<const ProbeDisplacement>;  // one a probe, 
 
 /// What a probe prescribes in one cycle: W u = value along its axes, while it presses.
 struct ProbeRow {
-  bool pressing = false;
-  Vec3 value = Vec3::Zero();  // [m], one entry an axis: 3 when held, 1 when free
+  RegionMotion region = RegionMotion::Zero();  // of a probe that holds a region
 
   // Of a probe that slides, where it is now, between three knots.
-  std::array<int, 3> knots{};
-  Vec3 shares = Vec3::Zero();    // of them, sum 1
   Eigen::VectorXd weights{};     // in place of the probe's own
   Eigen::MatrixXd compliance{};  // likewise
+  Vec3 shares = Vec3::Zero();    // of the knots, sum 1
 
-  RegionMotion region = RegionMotion::Zero();  // of a probe that holds a region
-  Vec3 centre = Vec3::Zero();                  // of a fingertip, where it is [m]
+  Vec3 value = Vec3::Zero();   // [m], one entry an axis: 3 when held, 1 when free
+  Vec3 centre = Vec3::Zero();  // of a fingertip, where it is [m]
+  std::array<int, 3> knots{};  // of a probe that slides
+  bool pressing = false;
 };
 using ProbeRows = std::vector<ProbeRow>;  // one a probe
 
