@@ -40,7 +40,8 @@ TEST_P(PrescribedAgainstDense, GivesTheSameForcesWhateverSetCameBefore) {
                                                               {false, {2, 7, 9}},
                                                               {true, {2, 7, 9}},
                                                               {true, {0}}}) {
-    rows[0] = {pressing, Vec3(1e-3, 2e-3, -3e-3)};
+    rows[0].pressing = pressing;
+    rows[0].value = Vec3(1e-3, 2e-3, -3e-3);
     std::vector<int> nodes;
     for (const std::size_t i : picked) nodes.push_back(may_touch[i]);
     ASSERT_TRUE(solve.factor(rows, nodes));
