@@ -93,7 +93,7 @@ struct Pressed {
 Pressed pressed(unsigned seed) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> some(-1.0, 1.0);
-  const auto shift = [&](double by) { return by * Vec3(some(random), some(random), some(random)); };
+  const auto shift = [&](double by) -> Vec3 { return by * Vec3(some(random), some(random), some(random)); };
   const auto shaken = [&](Body body) {
     Eigen::Matrix3Xd nodes = body.rest;
     for (Eigen::Index i = 0; i < nodes.cols(); ++i) nodes.col(i) += shift(0.04);

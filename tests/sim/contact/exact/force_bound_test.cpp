@@ -93,7 +93,7 @@ TEST(ForceBound, HoldsAgainstLemkeAndIsNearTheError) {
                 ratios.size(), median(ratios));
     EXPECT_LE(median(ratios), 3.0);
   }
-  EXPECT_GE(compared, 10'000 / kSlower);
+  EXPECT_GE(compared, kSlower == 1 ? 10'000 : 300);
 }
 
 // A million cycles of two engines side by side: one may stop early, the other does not.
