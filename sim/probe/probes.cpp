@@ -58,6 +58,10 @@ int nearest_surface_node(const ProbeSpec& spec, const TetMesh& mesh, const Surfa
 
 }  // namespace
 
+bool any_slides(const Model& model) {
+  return std::ranges::any_of(model.probes, [](const Probe& probe) { return !probe.slide.knots.empty(); });
+}
+
 ProbeRows probe_rows(const Model& model) {
   ProbeRows rows(model.probes.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {

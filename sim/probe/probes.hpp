@@ -12,6 +12,9 @@ namespace palpate::sim {
 /// Rows with room for all that probes will prescribe.
 ProbeRows probe_rows(const Model& model);
 
+/// Whether a probe of the model slides.
+bool any_slides(const Model& model);
+
 /// What every probe prescribes where it is now.
 void prescribe(const Model& model, ProbeDisplacements displacements, ProbeRows& rows);
 

@@ -273,7 +273,8 @@ void give_way(const Model& model, const ProbeRows& probes, std::span<const doubl
 bool looked_far_enough(Carried& carried) {
   std::ranges::sort(carried.moved, std::greater());
   const double needed = carried.moved[0] + (carried.moved.size() > 1 ? carried.moved[1] : 0.0);
-  const bool enough = needed <= carried.within;
+  const bool enough =
+      !(needed > carried.within);  // what is no number is told by the forces; it is not looked for
   if (!enough || 2.5 * needed < carried.within) carried.within = std::max(carried.start, 1.5 * needed);
   return enough;
 }

@@ -75,6 +75,10 @@ Stop stop_of(ComplementarityReport::End end) {
 void bring_rows_of_bodies(const Model& model, const ProbeRows& probes, ExactScratch& scratch) {
   if (scratch.carried) {
     Carried& carried = *scratch.carried;
+    if (any_slides(model)) {  // a row that stays as it is has others' places in it
+      fill_probes(model, probes, scratch.system);
+      std::ranges::fill(carried.known, 0);
+    }
     meet(model, probes, carried, std::span(scratch.pairs).first(scratch.first_tip), scratch.gaps);
     if (carried.renewed.empty()) return;
     fill_contacts(model, probes, carried.turns, scratch.pairs, carried.renewed, carried.near,

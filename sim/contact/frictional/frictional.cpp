@@ -19,10 +19,6 @@ std::vector<int> numbers(std::size_t count) {
   return all;
 }
 
-bool any_slides(const Model& model) {
-  return std::ranges::any_of(model.probes, [](const Probe& probe) { return !probe.slide.knots.empty(); });
-}
-
 Eigen::Matrix3d frame_of_polygon(const FrictionalScratch& scratch, const FacingPair& pair) {
   return scratch.carried ? scratch.carried->turns[pair.polygon_body] : Eigen::Matrix3d::Identity();
 }
