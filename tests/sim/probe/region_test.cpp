@@ -202,5 +202,23 @@ TEST(Region, IsFeltWithinTheToleranceFromTheFirstTouch) {
   }
 }
 
+// A pad slides over the lower box while the upper one is held where it is: what the pad does to the contacts goes with it.
+TEST(Region, FeelsAPadThatSlidesOverTheOtherBody) {
+  const Model model = model_of(
+      without_fixed(body_table("upper", "z_min", "z_min")), body_table("lower", "z_min", "z_max"), kTouch,
+      region_table("finger", "upper", "z_max", "20 mm") +
+          "[probes.pad]\nbody = \"lower\"\nkind = \"pad\"\nradius = \"6 mm\"\nreach = \"2 mm\"\nat = [\"30 mm\", "
+          "\"30 mm\", \"12 mm\"]\ndirection = [0, 0, -1]\ndepth = \"1 mm\"\n");
+  Simulation going(model), fresh(model);
+  const Vec3 pressed(0, 0, -0.6e-3);
+  const std::vector<ProbeDisplacement> before{{pressed}, {Vec3(0, 0, -0.8e-3)}},
+      after{{pressed}, {Vec3(-1.5e-3, -1.2e-3, -0.8e-3)}};
+  const Vec3 first = going.step(before, kCyclePeriod).probe_forces[0];
+  const Vec3 second = going.step(after, kCyclePeriod).probe_forces[0];
+  const Vec3 right = fresh.step(after, kCyclePeriod).probe_forces[0];
+  EXPECT_GT((second - first).norm(), 1e-4 * right.norm());
+  EXPECT_LT((second - right).norm(), 1e-9 * right.norm());
+}
+
 }  // namespace
 }  // namespace palpate::sim
