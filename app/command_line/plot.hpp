@@ -25,6 +25,12 @@ struct PlotLimit {
   double y = 0.0;
 };
 
+/// What lies between two x, shaded over every panel, with its words.
+struct PlotBand {
+  std::string name;
+  double low = 0.0, high = 0.0;
+};
+
 /// A line plot: panels side by side over common axes, in colours that colour-blind readers tell apart, and each
 /// series with a mark and dashes of its own, so that it can be read in black and white.
 struct Plot {
@@ -36,6 +42,7 @@ struct Plot {
   bool log_y = false;
   std::vector<PlotPanel> panels{};
   std::vector<PlotLimit> limits{};
+  std::vector<PlotBand> bands{};
 };
 
 /// Throws std::invalid_argument for a file name that ends in neither .svg nor .png, and for a folder that is

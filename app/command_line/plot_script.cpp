@@ -71,6 +71,10 @@ std::string ranges(const Plot& plot) {
     }
   }
   for (const PlotLimit& limit : plot.limits) y.add(limit.y);
+  for (const PlotBand& band : plot.bands) {
+    x.add(band.low);
+    x.add(band.high);
+  }
   return range_of("x", x, plot.log_x, false) + range_of("y", y, plot.log_y, true);
 }
 
@@ -160,11 +164,26 @@ std::string limit_lines(const Plot& plot) {
   return text;
 }
 
+std::string shaded_bands(const Plot& plot) {
+  std::string text;
+  for (std::size_t i = 0; i < plot.bands.size(); ++i) {
+    const PlotBand& band = plot.bands[i];
+    const double middle = plot.log_x ? std::sqrt(band.low * band.high) : 0.5 * (band.low + band.high);
+    text += fmt::format(
+        "set object {0} rectangle from first {1:.17g},graph 0 to first {2:.17g},graph 1 behind fillcolor '#E69F00' "
+        "fillstyle solid 0.25 noborder\n"
+        "set label {0} {4} at first {3:.17g},graph 0.97 right rotate by 90 textcolor '#8a5a00'\n",
+        200 + i, band.low, band.high, middle, quoted(band.name));
+  }
+  return text;
+}
+
 std::string key(const PlotLayout& page, const std::vector<std::string>& names) {
   if (names.size() < 2) return "";
-  std::string text = margins(page.key) +
-                     "unset title\nunset xlabel\nunset ylabel\nunset tics\nunset border\nunset grid\n"
-                     "unset label\nunset arrow\nunset logscale\nset xrange [0:1]\nset yrange [0:1]\n";
+  std::string text =
+      margins(page.key) +
+      "unset title\nunset xlabel\nunset ylabel\nunset tics\nunset border\nunset grid\n"
+      "unset label\nunset arrow\nunset object\nunset logscale\nset xrange [0:1]\nset yrange [0:1]\n";
   text += fmt::format("set key inside center center horizontal Left reverse maxcols {} width 1\n",
                       page.key_columns);
   for (std::size_t i = 0; i < names.size(); ++i)
@@ -181,7 +200,7 @@ std::string plot_script(const Plot& plot, bool svg) {
   for (std::size_t p = 0; p < plot.panels.size(); ++p)
     for (std::size_t i = 0; i < plot.panels[p].series.size(); ++i)
       text += data_block(plot.panels[p].series[i], p, i);
-  text += "set multiplot\nunset key\n" + ranges(plot) + limit_lines(plot);
+  text += "set multiplot\nunset key\n" + ranges(plot) + limit_lines(plot) + shaded_bands(plot);
   text += "set border 3 linecolor '#444444'\nset tics nomirror\nset grid linecolor '#e4e4e4' linetype 1\n";
   int label = 0;
   text += heading(page.title, page.title_at, 18 / page.height, svg ? "font ',15'" : "font ',21'", label);

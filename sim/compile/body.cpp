@@ -97,7 +97,7 @@ std::shared_ptr<const Compliance> unit_compliance(const BodySpec& spec, const Bo
   std::vector<Material> unit = body.materials;
   for (Material& material : unit) material.young_modulus /= body.young_modulus;
   try {
-    return cache.get(*body.mesh, unit, held, touched, without(body.surface->nodes, held));
+    return cache.get(*body.mesh, unit, held, touched, without(body.surface->nodes, held), body.interior);
   } catch (const std::invalid_argument& error) {
     refuse_key(fmt::format("bodies.{}", spec.name), error.what());
   }
@@ -137,7 +137,8 @@ void find_out_who_is_alone(const BodySpec& spec, const Body& body, const std::ve
 
 CompiledBody compile_body(const BodySpec& spec, const std::vector<const ProbeSpec*>& probes,
                           ComplianceCache& cache) {
-  CompiledBody compiled{.body = {.name = spec.name, .young_modulus = spec.material.young_modulus}};
+  CompiledBody compiled{
+      .body = {.name = spec.name, .interior = spec.interior, .young_modulus = spec.material.young_modulus}};
   Body& body = compiled.body;
   body.mesh = std::make_shared<const TetMesh>(read_placed(spec));
   body.surface = std::make_shared<const Surface>(extract_surface(*body.mesh));

@@ -1,11 +1,14 @@
 #include "sim/compile/compile.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
 #include "sim/compile/body.hpp"
 #include "sim/compile/combinations.hpp"
 #include "sim/compile/overlap.hpp"
+#include "sim/contact/exact/exact.hpp"
 #include "sim/contact/laws.hpp"
 #include "sim/effects/effects.hpp"
 #include "sim/probe/kinds.hpp"
@@ -40,11 +43,32 @@ void add_pair(const std::array<std::string, 2>& names, const std::string& nodes_
   model.pairs.push_back(pair);
 }
 
+/// Single precision is for a compliance that stays as it is.
+void refuse_precision(const Model& model) {
+  if (model.contact_precision == Precision::Single &&
+      (model.law != &contact_law("exact") || !rows_stay(model)))
+    refuse_key(
+        "contact.precision",
+        "single precision is for a compliance that is a constant of the scene, and here friction, a fingertip or "
+        "a probe with a reach changes it from cycle to cycle; accepted: \"double\"");
+}
+
+void refuse_far_regions(const Model& model) {
+  for (const Probe& probe : model.probes)
+    if (probe.region && probe.region->carries && !model.law->follows_regions && !model.pairs.empty())
+      refuse_key(
+          fmt::format("probes.{}.reach", probe.name),
+          fmt::format("the contact model {} does not find anew what touches where a region takes a body far; "
+                      "accepted: the probe without reach, or contact.model = \"exact\"",
+                      model.law->name));
+}
+
 Model compile_all(const Scene& scene, ComplianceCache& cache) {
   refuse_combinations(scene, effects(), probe_kinds());
   Model model{.scene = scene.name,
               .law = &contact_law(scene.contact.model),
               .contact_tolerance = scene.contact.tolerance,
+              .contact_precision = scene.contact.precision,
               .reading = scene.contact.reading,
               .overlap = scene.contact.overlap};
   model.probes.resize(scene.probes.size());
@@ -52,6 +76,8 @@ Model compile_all(const Scene& scene, ComplianceCache& cache) {
     if (spec.present) add_body(scene, spec, cache, model);
   for (const auto& names : scene.contact.touch) add_pair(names, scene.contact.nodes_of, model);
   fill_effects(scene, model);
+  refuse_precision(model);
+  refuse_far_regions(model);
   return model;
 }
 

@@ -15,6 +15,7 @@
 #include "base/machine/cache_folder.hpp"
 #include "base/machine/environment.hpp"
 #include "sim/compliance/cache_file.hpp"
+#include "sim/elasticity/finer_inside.hpp"
 #include "sim/elasticity/supports.hpp"
 
 namespace palpate::sim {
@@ -80,8 +81,8 @@ void ComplianceCache::trim() const {
 std::shared_ptr<const Compliance> ComplianceCache::get(const TetMesh& mesh,
                                                        std::span<const Material> materials,
                                                        std::span<const int> fixed, std::span<const int> touch,
-                                                       std::span<const int> drawn) {
-  const std::string key = compliance_key(mesh, materials, fixed, touch, drawn);
+                                                       std::span<const int> drawn, int interior) {
+  const std::string key = compliance_key(mesh, materials, fixed, touch, drawn, interior);
   if (const auto known = in_memory_.find(key); known != in_memory_.end()) return known->second;
 
   const std::filesystem::path file = folder_ / (key + kEnding);
@@ -97,7 +98,9 @@ std::shared_ptr<const Compliance> ComplianceCache::get(const TetMesh& mesh,
   }
 
   require_supports(mesh, fixed);
-  auto built = std::make_shared<const Compliance>(condense(stiffness(mesh, materials), fixed, touch, drawn));
+  const FinerBody finer = finer_inside(mesh, materials, touch, interior);
+  auto built = std::make_shared<const Compliance>(
+      condense(finer.K, with_added(finer, {fixed.begin(), fixed.end()}), touch, drawn));
   try {
     if (!folder_.empty()) write_compliance(file, key, *built);
   } catch (const std::system_error& refusal) {

@@ -37,12 +37,13 @@ class ComplianceCache {
   /// std::invalid_argument for what is no such size.
   static std::uintmax_t size_asked_for();
 
-  /// The compliance of the supported body, from memory, disk or condense(stiffness(mesh, materials), ...).
+  /// The compliance of the supported body, from memory, disk or condense(): of the mesh's stiffness, or of that which
+  /// finer_inside() has with so many cuts.
   /// Bodies of one material have it at E = 1 Pa, so that a change of stiffness finds the same entry.
   /// Throws std::invalid_argument as stiffness() and condense() do.
   std::shared_ptr<const Compliance> get(const TetMesh& mesh, std::span<const Material> materials,
                                         std::span<const int> fixed, std::span<const int> touch,
-                                        std::span<const int> drawn);
+                                        std::span<const int> drawn, int interior = 0);
 
  private:
   void trim() const;

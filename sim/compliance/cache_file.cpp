@@ -91,8 +91,8 @@ std::uintmax_t file_size_of(std::uintmax_t touch, std::uintmax_t drawn) {
 }  // namespace
 
 std::string compliance_key(const TetMesh& mesh, std::span<const Material> materials,
-                           std::span<const int> fixed, std::span<const int> touch,
-                           std::span<const int> drawn) {
+                           std::span<const int> fixed, std::span<const int> touch, std::span<const int> drawn,
+                           int interior) {
   static_assert(sizeof(Vec3) == 3 * sizeof(double) && sizeof(Material) == 2 * sizeof(double));
   std::string bytes;
   append(bytes, &kVersion, 1);
@@ -104,6 +104,7 @@ std::string compliance_key(const TetMesh& mesh, std::span<const Material> materi
   append_sized(bytes, fixed);
   append_sized(bytes, touch);
   append_sized(bytes, drawn);
+  append(bytes, &interior, 1);
   return base::sha256_hex(bytes);
 }
 

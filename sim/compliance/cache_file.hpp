@@ -13,8 +13,8 @@ namespace palpate::sim {
 
 /// SHA-256 over everything that a compliance depends on, in one defined order of bytes.
 std::string compliance_key(const TetMesh& mesh, std::span<const Material> materials,
-                           std::span<const int> fixed, std::span<const int> touch,
-                           std::span<const int> drawn);
+                           std::span<const int> fixed, std::span<const int> touch, std::span<const int> drawn,
+                           int interior = 0);
 
 /// Writes a compliance under its key: magic, format version, sizes, key, SHA-256 of the rest, then touch,
 /// drawn, the lower triangle of C_TT column by column, C_DT; numbers as this machine stores them.

@@ -66,6 +66,9 @@ struct ContactLaw {
   /// Takes what the cycle that was just solved leaves behind into `memory`. @param dt  since the last one [s]
   void (*advance)(const Model& model, const LawScratch& scratch, double dt,
                   std::span<double> memory) = no_advance;
+
+  /// Whether it finds out anew what faces what where a region takes a body far (Region::carries).
+  bool follows_regions = false;
 };
 
 }  // namespace palpate::sim

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "sim/elasticity/finer_inside.hpp"
 #include "sim/elasticity/static_solve.hpp"
-#include "sim/elasticity/stiffness.hpp"
 
 namespace palpate::sim {
 
@@ -58,20 +58,23 @@ struct Supported {
   bool as_a_whole = false;          // every node goes with them, and that takes no force
 };
 
-Supported supported(const Model& model, const Body& body, const Loads& loads) {
+Supported supported(const Model& model, const Body& body, const FinerBody& finer, const Loads& loads) {
   Supported all{.nodes = body.fixed};
-  all.displacement.setZero(3, std::ssize(body.mesh->nodes));
+  all.displacement.setZero(3, std::ssize(finer.nodes));
   for (const int probe : body.probes) {
     const auto& region = model.probes[probe].region;
     if (!region) continue;
-    all.nodes.insert(all.nodes.end(), region->nodes.begin(), region->nodes.end());
+    const std::vector<int> held = with_added(finer, region->nodes);
+    all.nodes.insert(all.nodes.end(), held.begin(), held.end());
     all.as_a_whole |= region->alone;
-    for (int node = 0; node < std::ssize(body.mesh->nodes); ++node)
-      if (region->alone || std::ranges::binary_search(region->nodes, node))
+    for (int node = 0; node < std::ssize(finer.nodes); ++node)
+      if (region->alone || std::ranges::binary_search(held, node))
         all.displacement.col(node) =
-            motion_at(body.mesh->nodes[node] - model.probes[probe].at) * loads.held[probe];
+            motion_at(finer.nodes[node] - model.probes[probe].at) * loads.held[probe];
   }
+  all.nodes = with_added(finer, std::move(all.nodes));
   std::ranges::sort(all.nodes);
+  all.nodes.erase(std::unique(all.nodes.begin(), all.nodes.end()), all.nodes.end());
   return all;
 }
 
@@ -90,11 +93,13 @@ std::vector<WholeBody> whole_bodies(const Model& model, const Loads& loads) {
       entry += 3;
     }
     const Eigen::Matrix3d turn = turn_of(model, static_cast<int>(i), loads);
-    const Supported supports = supported(model, body, loads);
-    const Eigen::SparseMatrix<double> K = stiffness(*body.mesh, body.materials);
-    Eigen::Matrix3Xd force = turn.transpose() * whole.force;
-    if (!supports.as_a_whole) force -= (K * supports.displacement.reshaped()).reshaped(3, force.cols());
-    whole.displacement = turn * static_solve(K, supports.nodes, force) + supports.displacement;
+    const FinerBody finer = finer_inside(*body.mesh, body.materials, body.compliance->touch, body.interior);
+    const Supported supports = supported(model, body, finer, loads);
+    Eigen::Matrix3Xd force = Eigen::Matrix3Xd::Zero(3, std::ssize(finer.nodes));
+    force.leftCols(whole.force.cols()) = turn.transpose() * whole.force;
+    if (!supports.as_a_whole) force -= (finer.K * supports.displacement.reshaped()).reshaped(3, force.cols());
+    whole.displacement = (turn * static_solve(finer.K, supports.nodes, force) + supports.displacement)
+                             .leftCols(whole.force.cols());
   }
   return bodies;
 }

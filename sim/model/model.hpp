@@ -28,6 +28,7 @@ struct Body {
   std::shared_ptr<const Surface> surface{};        // its whole boundary, for pictures
   std::vector<Material> materials{};               // as stiffness() takes them
   std::vector<int> fixed{};                        // mesh nodes that never move
+  int interior = 0;                                // how often it is cut finer inside, see finer_inside()
   double young_modulus = 0.0;                      // E [Pa]
   std::shared_ptr<const Compliance> compliance{};  // of the same body with E = 1 Pa: u = C f / E
   std::vector<int> touch_of_node{};    // touch index of each mesh node, -1 where it cannot be touched
@@ -95,8 +96,9 @@ struct Model {
   double friction = 0.0;  // coefficient of Coulomb, of a law with friction [-]
   double contact_tolerance =
       0.0;  // part of each probe's force that a law may be wrong by, where it knows a bound
-  Reading reading = Reading::EveryPair;  // of kuroda
-  double overlap = 0.0;                  // of bodies at rest, that the scene declares [m]
+  Precision contact_precision = Precision::Double;  // of exact's compliance
+  Reading reading = Reading::EveryPair;             // of kuroda
+  double overlap = 0.0;                             // of bodies at rest, that the scene declares [m]
 };
 
 /// The same bodies and probes, and no body touches another.

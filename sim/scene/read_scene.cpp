@@ -129,6 +129,18 @@ Material read_region(base::TomlReader reader, double poisson_ratio_of_body) {
   return region;
 }
 
+std::vector<std::filesystem::path> read_refinements(base::TomlReader& reader,
+                                                    const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> meshes;
+  for (const toml::node& item : reader.as_array("refinements", reader.other("refinements"))) {
+    if (!item.is_string())
+      reader.refuse("refinements",
+                    fmt::format("holds {}, accepted: mesh files", base::TomlReader::describe(item)));
+    meshes.push_back(folder / *item.value<std::string>());
+  }
+  return meshes;
+}
+
 BodySpec read_body(base::TomlReader reader, const std::string& name, const std::filesystem::path& folder) {
   BodySpec body{.name = name};
   body.present = reader.boolean("present");
@@ -146,6 +158,8 @@ BodySpec read_body(base::TomlReader reader, const std::string& name, const std::
   body.scale = reader.number("scale");
   body.rotate = to_vec3(reader.three_quantities("rotate"));
   body.offset = to_vec3(reader.three_quantities("offset"));
+  body.interior = static_cast<int>(reader.whole("interior"));
+  if (reader.has("refinements")) body.refinements = read_refinements(reader, folder);
   body.effects = read_effects(reader, "bodies");
   reader.refuse_unknown();
   return body;
@@ -194,6 +208,10 @@ ContactSpec read_contact(base::TomlReader reader) {
   if (reader.has("tolerance")) {
     refuse_other_models(reader, "tolerance", "exact", contact);
     contact.tolerance = reader.quantity("tolerance");
+  }
+  if (reader.has("precision")) {
+    refuse_other_models(reader, "precision", "exact", contact);
+    contact.precision = reader.word("precision", kPrecisionWords);
   }
   contact.effects = read_effects(reader, "contact");
   reader.refuse_unknown();

@@ -42,6 +42,9 @@ struct BodySpec {
   double scale = 1.0;
   Vec3 rotate = Vec3::Zero();  // rotation vector: axis times angle [rad]
   Vec3 offset = Vec3::Zero();  // [m], after scale and rotation
+  int interior = 0;            // how often the mesh is cut finer inside
+  std::vector<std::filesystem::path>
+      refinements{};  // finer meshes of the same body, each finer than the one before
   EffectValues effects{};
 
   bool operator==(const BodySpec&) const = default;
@@ -58,6 +61,13 @@ inline constexpr base::EnumWords<Reading, 2> kReadingWords{
       "of the two polygons of a collision only the one with the larger force moves, and the node that has passed "
       "it, as the paper does to reduce computation"}}};
 
+/// In which the contact model `exact` keeps the compliance that it reckons gaps with.
+enum class Precision { Double, Single };
+inline constexpr base::EnumWords<Precision, 2> kPrecisionWords{
+    {{Precision::Double, "double", "16 digits"},
+     {Precision::Single, "single",
+      "7 digits, half as much to read in a cycle; the bound of the error knows it"}}};
+
 struct ContactSpec {
   std::vector<std::array<std::string, 2>> touch{};  // which bodies may touch
   std::string model{kNoContact};                    // a name that contact_model_words() lists
@@ -65,6 +75,7 @@ struct ContactSpec {
   Reading reading = Reading::EveryPair;
   std::string nodes_of{};  // the body whose nodes alone meet the other's polygons; empty: those of both
   double tolerance = 0.0;  // part of the force that the law may be wrong by; 0: none
+  Precision precision = Precision::Double;
   EffectValues effects{};
 
   bool operator==(const ContactSpec&) const = default;

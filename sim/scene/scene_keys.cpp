@@ -97,6 +97,20 @@ constexpr std::array kBodyKeys{
         .meaning =
             "Moves the body, after `scale` and `rotate`. Bodies that overlap at rest by more than contact.overlap "
             "are refused."},
+    Key{.name = "interior",
+        .takes = base::takes_whole(0, 3),
+        .example = "1",
+        .fallback = "0",
+        .meaning =
+            "How often the mesh is cut finer inside, each tetrahedron in eight, while the surface that may be "
+            "touched keeps its nodes: a more accurate force at the same cost of a cycle, for a longer preparation."},
+    Key{.name = "refinements",
+        .takes = base::takes_other("mesh files, as [\"meshes/prostate-fine.msh\"]"),
+        .example = "[\"meshes/prostate-fine.msh\"]",
+        .absent = "no finer mesh is known",
+        .meaning =
+            "Finer meshes of the same body with the same groups, each finer than the one before: what `palpate cost` "
+            "reckons the error of the mesh from. Nothing else reads them."},
     Key{.name = "regions",
         .takes = base::takes_table("one table [bodies.NAME.regions.GROUP] a region"),
         .absent = "one material throughout"},
@@ -161,6 +175,13 @@ constexpr std::array kContactKeys{
         .meaning =
             "With the contact model `exact`: the part of a probe's force by which it may be wrong. A cycle may "
             "then end early, as soon as the bound of its error is within that.",
+        .along = "model = \"exact\""},
+    Key{.name = "precision",
+        .takes = base::takes_word(base::words_of<kPrecisionWords>),
+        .example = "\"single\"",
+        .absent = "\"double\"",
+        .meaning =
+            "With the contact model `exact`: how many digits the compliance has that gaps are reckoned with.",
         .along = "model = \"exact\""},
 };
 

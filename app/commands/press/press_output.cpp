@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "sim/model/probe_kind.hpp"
@@ -70,7 +71,7 @@ ordered_json curve_json(const sim::Model& model, const ordered_json& curve) {
           {"curve", curve}};
 }
 
-/// What touches at a step: "contacts", "overlap [mm]", "cycle [us]".
+/// What touches at a step: "contacts", "overlap [mm]", "off by [N]" (at most, where it is known), "cycle [us]".
 std::string touch_text(const sim::PressStep& step) {
   int active = 0;
   double overlap = 0.0;
@@ -78,11 +79,13 @@ std::string touch_text(const sim::PressStep& step) {
     active += step.pairs[i].active;
     overlap = std::max(overlap, step.penetration[i]);
   }
-  return fmt::format("{:>9} {:>16.4f} {:>11.1f}\n", active, 1e3 * overlap, step.cycle_us);
+  const double bound = step.solve.force_error_bound;
+  return fmt::format("{:>9} {:>16.4f} {:>11} {:>11.1f}\n", active, 1e3 * overlap,
+                     !std::isfinite(bound) ? "-" : fmt::format("{:.1e}", bound), step.cycle_us);
 }
 
 const std::string kTouchHeading =
-    fmt::format("{:>9} {:>16} {:>11}\n", "contacts", "overlap [mm]", "cycle [us]");
+    fmt::format("{:>9} {:>16} {:>11} {:>11}\n", "contacts", "overlap [mm]", "off by [N]", "cycle [us]");
 
 }  // namespace
 

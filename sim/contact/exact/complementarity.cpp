@@ -9,6 +9,7 @@ namespace {
 
 constexpr int kPatience = 3;  // block exchanges that may pass without fewer wrong signs [JudicePires1994]
 constexpr int kMostRefinements = 3;  // of a solve with an updated factor
+constexpr double kMargin = 1.001;  // of the forces that can close a contact: refinement changes them by less
 constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
 
 }  // namespace
@@ -49,14 +50,42 @@ void ComplementaritySolve::hold(std::span<const char> holds) {
   for (const int row : kept_) factor_.append(row);
 }
 
+/// What the rows would be without any force.
+void ComplementaritySolve::begin_slack(std::span<const double> values, std::span<const double> gaps) {
+  for (std::size_t i = 0; i < values.size(); ++i) slack_[static_cast<Eigen::Index>(i)] = -values[i];
+  for (std::size_t i = 0; i < gaps.size(); ++i)
+    slack_[system_->bilateral + static_cast<Eigen::Index>(i)] = gaps[i];
+}
+
+/// Leaves out the last contacts that x cannot have closed; an active one never, for it may be so by mistake.
+void ComplementaritySolve::look_at_what_can_close(std::span<const double> gaps) {
+  looked_at_ = slack_.size();
+  if (system_->reach.empty()) return;
+  const double pushed = kMargin * forces_.lpNorm<1>();
+  std::size_t last = gaps.size();
+  while (last > 0) {
+    const double closed = system_->reach[last - 1] * pushed;
+    const Eigen::Index row = system_->bilateral + static_cast<Eigen::Index>(last) - 1;
+    if (gaps[last - 1] <= closed || is_active_[static_cast<std::size_t>(row)] != 0) break;
+    slack_[row] = gaps[last - 1] - closed;
+    looked_at_ = row;
+    --last;
+  }
+}
+
+void ComplementaritySolve::add_column(int row, double force) {
+  if (system_->single.size() == 0)
+    slack_.head(looked_at_).noalias() += force * system_->compliance.col(row).head(looked_at_);
+  else
+    slack_.head(looked_at_).noalias() += force * system_->single.col(row).head(looked_at_).cast<double>();
+}
+
 /// x and w with the active contacts closed and the others open. The factor's rounding is taken out by refinement
 /// with K itself.
 void ComplementaritySolve::solve_active(std::span<const double> values, std::span<const double> gaps) {
   const std::span<const int> rows = factor_.rows();
   forces_.setZero();
-  for (std::size_t i = 0; i < values.size(); ++i) slack_[static_cast<Eigen::Index>(i)] = -values[i];
-  for (std::size_t i = 0; i < gaps.size(); ++i)
-    slack_[system_->bilateral + static_cast<Eigen::Index>(i)] = gaps[i];
+  begin_slack(values, gaps);
   double last = std::numeric_limits<double>::infinity();
   for (int refinement = 0; refinement <= kMostRefinements; ++refinement) {
     correction_.clear();
@@ -69,10 +98,9 @@ void ComplementaritySolve::solve_active(std::span<const double> values, std::spa
     if (left <= kRounding * forces_.lpNorm<Eigen::Infinity>() || left >= 0.5 * last) return;
     last = left;
     factor_.solve(correction_);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      forces_[rows[i]] += correction_[i];
-      slack_.noalias() += correction_[i] * system_->compliance.col(rows[i]);
-    }
+    for (std::size_t i = 0; i < rows.size(); ++i) forces_[rows[i]] += correction_[i];
+    if (refinement == 0) look_at_what_can_close(gaps);
+    for (std::size_t i = 0; i < rows.size(); ++i) add_column(rows[i], correction_[i]);
   }
 }
 
@@ -117,18 +145,18 @@ void ComplementaritySolve::settle(std::span<const double> values, std::span<cons
   const std::span<const int> rows = factor_.rows();
   for (Eigen::Index row = system_->bilateral; row < forces_.size(); ++row)
     forces_[row] = std::max(0.0, forces_[row]);
-  for (Eigen::Index i = 0; i < system_->bilateral; ++i) slack_[i] = -values[static_cast<std::size_t>(i)];
-  for (std::size_t i = 0; i < gaps.size(); ++i)
-    slack_[system_->bilateral + static_cast<Eigen::Index>(i)] = gaps[i];
-  for (const int row : rows.subspan(holding_))
-    slack_.noalias() += forces_[row] * system_->compliance.col(row);
+  begin_slack(values, gaps);
   correction_.clear();
-  for (const int row : rows.first(holding_)) correction_.push_back(-slack_[row]);
-  factor_.solve_leading(correction_, holding_);
-  for (std::size_t i = 0; i < holding_; ++i) {
-    forces_[rows[i]] = correction_[i];
-    slack_.noalias() += correction_[i] * system_->compliance.col(rows[i]);
+  for (const int row : rows.first(holding_)) {
+    double left = slack_[row];
+    for (const int contact : rows.subspan(holding_))
+      left += system_->compliance(row, contact) * forces_[contact];
+    correction_.push_back(-left);
   }
+  factor_.solve_leading(correction_, holding_);
+  for (std::size_t i = 0; i < holding_; ++i) forces_[rows[i]] = correction_[i];
+  look_at_what_can_close(gaps);
+  for (const int row : rows) add_column(row, forces_[row]);
 }
 
 ComplementarityReport ComplementaritySolve::solve(std::span<const char> holds, std::span<const double> values,

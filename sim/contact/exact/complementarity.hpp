@@ -30,7 +30,9 @@ struct ComplementarityReport {
 /// Block principal pivoting over sets of active contacts, begun at the last solve's set, with single pivots where the
 /// number of wrong signs does not fall [JudicePires1994], which is finite. On the active set K has delta = 1e-12 of
 /// its diagonal added, so that contacts that say the same share their force in one way. Residual: the largest of
-/// |x - max(0, x - w/D)| over the contacts, D = diag K, divided by the largest x of a contact.
+/// |x - max(0, x - w/D)| over the contacts, D = diag K, divided by the largest x of a contact. The last contacts whose
+/// gap is larger than all forces together can have closed it by (gap_i > reach_i sum |x|) are open for certain, and left
+/// out of the sums of K: contacts that are far come last.
 class ComplementaritySolve {
  public:
   static constexpr int kMostIterations = 1000;
@@ -54,6 +56,8 @@ class ComplementaritySolve {
   /// order of active(). To be asked after solve().
   void solve_bilateral(std::span<double> values) const { factor_.solve_leading(values, holding_); }
   std::size_t holding() const { return holding_; }
+  /// Rows whose gaps the last solve has summed up; the others, the last ones, are open for certain.
+  Eigen::Index looked_at() const { return looked_at_; }
 
   /// The system's matrix is another one than at the last solve.
   void changed() { changed_ = true; }
@@ -67,6 +71,9 @@ class ComplementaritySolve {
   std::size_t count_wrong();
   void exchange(bool all);
   void settle(std::span<const double> values, std::span<const double> gaps);
+  void begin_slack(std::span<const double> values, std::span<const double> gaps);
+  void look_at_what_can_close(std::span<const double> gaps);
+  void add_column(int row, double force);
   double natural_residual() const;
   const ContactSystem* system_;
   UpdatedFactor factor_;
@@ -78,7 +85,10 @@ class ComplementaritySolve {
   std::vector<int> kept_;
   std::vector<double> correction_;
   Eigen::VectorXd forces_;  // x
-  Eigen::VectorXd slack_;   // w of contacts; K x less the value of bilateral rows [m]
+  Eigen::VectorXd
+      slack_;  // w of contacts (of those that are left out, a lower bound > 0); K x less the value of
+               // bilateral rows [m]
+  Eigen::Index looked_at_ = 0;  // rows that are not left out, the first ones
 };
 
 }  // namespace palpate::sim

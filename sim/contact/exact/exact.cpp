@@ -138,9 +138,13 @@ SolveReport solve_exact(const Model& model, const FreeState& free, std::span<con
 
 namespace {
 
+/// The nearest at rest come first: what is far is left out of a cycle from the end.
 std::vector<FacingPair> pairs_of_bodies(const Model& model, bool bodies_touch) {
   if (!bodies_touch) return {};
-  return carries_bodies(model) ? carried_pairs(model) : facing_pairs(model);
+  if (carries_bodies(model)) return carried_pairs(model);
+  std::vector<FacingPair> pairs = facing_pairs(model);
+  std::ranges::stable_sort(pairs, {}, &FacingPair::gap);
+  return pairs;
 }
 
 std::vector<int> first_contacts(std::size_t count) {
@@ -159,12 +163,24 @@ ContactSystem system_at_rest(const Model& model, std::span<const FacingPair> pai
   return system;
 }
 
+/// What the solve may take as constant where all rows stay as they are.
+void finish_constant(const Model& model, ContactSystem& system) {
+  const Eigen::MatrixXd& compliance = system.compliance;
+  for (Eigen::Index row = system.bilateral; row < compliance.rows(); ++row)
+    system.reach.push_back(compliance.col(row).lpNorm<Eigen::Infinity>());
+  if (model.contact_precision == Precision::Single) system.single = compliance.cast<float>();
+}
+
 std::unique_ptr<LawScratch> prepare_exact(const Model& model) {
   if (model.pairs.empty() && !has_tips(model)) return nullptr;
   return std::make_unique<ExactScratch>(model);
 }
 
 }  // namespace
+
+bool rows_stay(const Model& model) {
+  return !carries_bodies(model) && !any_slides(model) && !has_tips(model);
+}
 
 ExactScratch::ExactScratch(const Model& model, bool bodies_touch)
     : pairs(pairs_of_bodies(model, bodies_touch)),
@@ -183,6 +199,7 @@ ExactScratch::ExactScratch(const Model& model, bool bodies_touch)
   for (const FacingPair& pair : std::span(pairs).first(stay.size())) rest_gaps.push_back(pair.gap);
   std::ranges::copy(rest_gaps, gaps.begin());
   if (first_tip < pairs.size()) tips.emplace(model, pairs.size());
+  if (rows_stay(model)) finish_constant(model, system);
   const auto rows = static_cast<std::size_t>(system.bilateral);
   holds.resize(rows);
   values.resize(rows);
@@ -198,6 +215,7 @@ constinit const ContactLaw kExact{
     .name = "exact",
     .meaning = "contact only pushes, and only where bodies touch; both carry the same force",
     .prepare = prepare_exact,
-    .solve = solve_exact};
+    .solve = solve_exact,
+    .follows_regions = true};
 
 }  // namespace palpate::sim

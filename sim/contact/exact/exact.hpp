@@ -21,6 +21,9 @@ extern const ContactLaw kExact;
 SolveReport solve_exact(const Model& model, const FreeState& free, std::span<const double> memory,
                         LawScratch& scratch, Response& response);
 
+/// Whether its system is a constant of the scene: no probe slides, touches from outside, or takes a body far.
+bool rows_stay(const Model& model);
+
 struct ExactScratch : LawScratch {
   /// @param bodies_touch  false: only what fingertips touch
   explicit ExactScratch(const Model& model, bool bodies_touch = true);

@@ -27,13 +27,14 @@ ForceBound::ForceBound(const ContactSystem& system) : system_(&system) {
 
 /// To first order, what delta on the active rows and rounding of the gaps do to the force along an axis, with
 /// z = W^-1 c: sum of |z_i| (delta D_i lambda_i + rounding_i). A gap is a sum over the active rows of at most
-/// sqrt(K_ii K_jj) |x_j|.
+/// sqrt(K_ii K_jj) |x_j|, each rounded; with K in single precision, each by half of that precision's last bit as well.
 double ForceBound::first_order(const UpdatedFactor& factor, std::size_t holding,
                                const Eigen::VectorXd& forces) {
   const std::span<const int> rows = factor.rows();
   double sum = 0.0;
   for (const int row : rows) sum += std::sqrt(system_->compliance(row, row)) * std::abs(forces[row]);
-  const double rounding = std::numeric_limits<double>::epsilon() * static_cast<double>(rows.size()) * sum;
+  double rounding = std::numeric_limits<double>::epsilon() * static_cast<double>(rows.size()) * sum;
+  if (system_->single.size() > 0) rounding += 0.5 * double{std::numeric_limits<float>::epsilon()} * sum;
   std::ranges::fill(std::span(axis_).first(holding), 0.0);
   factor.backward(axis_);
   double effect = 0.0;

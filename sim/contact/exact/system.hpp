@@ -18,6 +18,12 @@ struct ContactSystem {
   std::vector<Eigen::Index>
       first_of_probe{};  // where each probe's rows begin, and the end: one more than probes
   std::vector<RegionPull> regions{};
+
+  /// Of each contact, the most that a newton of any row opens or closes it: the largest |K_ij| of its row [m/N]. Empty
+  /// where rows are made anew from cycle to cycle.
+  std::vector<double> reach{};
+  /// K in single precision, where gaps are to be reckoned with it: half as much to read. Empty: with K itself.
+  Eigen::MatrixXf single{};
 };
 
 /// Part of K's diagonal that is added on the active set, so that contacts that say the same share their force in one

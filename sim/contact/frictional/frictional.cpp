@@ -205,6 +205,7 @@ constinit const ContactLaw kFrictional{.name = "exact",
                                        .prepare = prepare_where_bodies_touch<FrictionalScratch>,
                                        .memory_size = anchors_of,
                                        .solve = solve_frictional,
-                                       .advance = advance_anchors};
+                                       .advance = advance_anchors,
+                                       .follows_regions = true};
 
 }  // namespace palpate::sim

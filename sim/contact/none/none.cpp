@@ -15,6 +15,7 @@ std::unique_ptr<LawScratch> prepare_none(const Model& model) {
 constinit const ContactLaw kNone{.name = kNoContact,
                                  .meaning = "bodies do not act on each other",
                                  .prepare = prepare_none,
-                                 .solve = solve_exact};
+                                 .solve = solve_exact,
+                                 .follows_regions = true};
 
 }  // namespace palpate::sim

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/contact/exact/exact.hpp"
 #include "sim/cycle/press.hpp"
 #include "sim/elasticity/static_solve.hpp"
 #include "sim/mesh/write_msh.hpp"
@@ -124,6 +125,23 @@ TEST_P(ThreeSlabs, DoNotFeelABodyFarAway) {
       EXPECT_EQ(here.loads().on_body[body], beside.loads().on_body[body]) << depth;
     EXPECT_EQ(many.pairs[2].active, 0);
     EXPECT_TRUE(beside.loads().on_body[3].isZero(0.0));
+  }
+}
+
+// What cannot be reached costs nothing: its contacts are not summed up.
+TEST(ThreeSlabsExact, DoNotLookAtABodyFarAway) {
+  const Model model = three_slabs("exact"), more = three_slabs("exact", {.with_far = true});
+  Simulation here(model), beside(more);
+  const auto looked_at = [](const Simulation& simulation) {
+    return static_cast<const ExactScratch&>(*simulation.law_scratch()).solve.looked_at();
+  };
+  const auto& far = static_cast<const ExactScratch&>(*beside.law_scratch());
+  const auto& near = static_cast<const ExactScratch&>(*here.law_scratch());
+  ASSERT_EQ(far.pairs.size(), 2 * near.pairs.size());
+  for (const double depth : {0.5e-3, 1e-3, 2e-3, 3e-3}) {
+    here.step(pressed(depth, depth / 2), kCyclePeriod);
+    beside.step(pressed(depth, depth / 2), kCyclePeriod);
+    EXPECT_EQ(looked_at(here), looked_at(beside)) << depth;
   }
 }
 

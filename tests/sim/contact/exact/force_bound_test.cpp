@@ -96,6 +96,32 @@ TEST(ForceBound, HoldsAgainstLemkeAndIsNearTheError) {
   EXPECT_GE(compared, kSlower == 1 ? 10'000 : 300);
 }
 
+// A compliance of 7 digits is one more error that the bound knows of.
+TEST(ForceBound, HoldsInSinglePrecision) {
+  Model single = pad_on_boxes("1 %");
+  single.contact_tolerance = 0.0;
+  single.contact_precision = Precision::Single;
+  Model full = single;
+  full.contact_precision = Precision::Double;
+  Simulation rounded(single), exact(full);
+  Strokes strokes(full.probes[0], 13);
+  std::vector<double> ratios, errors;
+  for (int cycle = 0; cycle < 20'000 / kSlower; ++cycle) {
+    const ProbeDisplacement at = strokes.next();
+    const CycleResult felt = rounded.step({&at, 1}, kCyclePeriod), right = exact.step({&at, 1}, kCyclePeriod);
+    const double error = (felt.probe_forces[0] - right.probe_forces[0]).norm();
+    ASSERT_LE(error, felt.solve.force_error_bound + right.solve.force_error_bound) << cycle;
+    if (error == 0.0) continue;
+    ratios.push_back(felt.solve.force_error_bound / error);
+    errors.push_back(error / right.probe_forces[0].norm());
+  }
+  ASSERT_GE(ratios.size(), 1000U / kSlower);
+  std::printf("single precision: error of the force up to %.2g of it, bound over error: median %.3g\n",
+              std::ranges::max(errors), median(ratios));
+  EXPECT_LT(std::ranges::max(errors), 1e-5);
+  EXPECT_GT(median(errors), 1e-12);  // it does round
+}
+
 // A million cycles of two engines side by side: one may stop early, the other does not.
 TEST(ForceBound, HoldsOverAMillionCycles) {
   const Model model = pad_on_boxes("10 %");

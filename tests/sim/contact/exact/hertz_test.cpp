@@ -1,17 +1,15 @@
 // Two elastic bodies with curved faces against Hertz's solution: the law's system and solve, on bodies that are
 // brought together by a rigid approach.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <vector>
 
 #include "sim/contact/exact/exact.hpp"
-#include "sim/mesh/read_mesh.hpp"
 #include "sim/mesh/write_msh.hpp"
 #include "tests/sim/support/body_table.hpp"
+#include "tests/sim/support/graded_block.hpp"
 #include "tests/sim/support/two_boxes.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -24,29 +22,11 @@ constexpr double kHalf = 160e-3;                       // half the width, and th
 constexpr double kHighest = 0.1 * kHalf;               // that the curved face goes away, far out [m]
 constexpr double kModulus = 1e6, kPoisson = 0.4;       // [Pa], [-]
 
-/// A box from z = 0 downwards, whose tetrahedra have edges h within 1.5 contact radii, and grow by a quarter of the
-/// distance beyond.
-constexpr const char* kGeometry = R"geo(SetFactory("OpenCASCADE");
-Box(1) = {{-{half}, -{half}, -{half}, {width}, {width}, {half}}};
-Point(100) = {{0, 0, 0, 1}};
-Point{{100}} In Surface {{6}};
-Physical Volume("body") = {{1}};
-Field[1] = MathEval;
-Field[1].F = "{h} + {growth} * max(0, sqrt(x*x + y*y + z*z) - {fine})";
-Background Field = 1;
-Mesh.MeshSizeExtendFromBoundary = 0;
-Mesh.MeshSizeFromPoints = 0;
-Mesh.MshFileVersion = 4.1;
-)geo";
-
+/// Edges h within 1.5 contact radii, growing the less the finer they are.
 TetMesh graded_block(const std::filesystem::path& folder, double h) {
-  const auto geometry = folder / "block.geo", mesh = folder / "block.msh";
-  std::ofstream(geometry) << fmt::format(
-      kGeometry, fmt::arg("half", kHalf), fmt::arg("width", 2 * kHalf), fmt::arg("h", h),
-      fmt::arg("growth", 0.5 * std::sqrt(h / kContactRadius)), fmt::arg("fine", 1.5 * kContactRadius));
-  const std::string made = fmt::format("gmsh {} -3 -nt 1 -v 1 -o {}", geometry.string(), mesh.string());
-  if (std::system(made.c_str()) != 0) throw std::runtime_error("no mesh by: " + made);
-  return read_mesh(mesh, 1.0).mesh;
+  return test::graded_block(
+      folder,
+      {.half = kHalf, .h = h, .fine = 1.5 * kContactRadius, .growth = 0.5 * std::sqrt(h / kContactRadius)});
 }
 
 /// The block with what the scene holds and what may touch; the upper one is turned over, with a face that curves
