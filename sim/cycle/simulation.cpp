@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "sim/cycle/flush_denormals.hpp"
 #include "sim/cycle/free_deformation.hpp"
 #include "sim/cycle/region_force.hpp"
 #include "sim/probe/probes.hpp"
@@ -76,6 +77,7 @@ SolveReport Simulation::solve(ProbeDisplacements probes) {
 
 CycleResult Simulation::step(ProbeDisplacements probes, double dt) {
   assert(probes.size() == model_->probes.size());
+  const FlushDenormals no_denormals;
   clear_response();
   const SolveReport report = solve(probes);
   if (!solved(report.stop))

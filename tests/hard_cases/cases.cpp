@@ -61,7 +61,7 @@ const HardCase kCases[] = {
     {27, "NodeOnCorner", "nodes on edges and corners of polygons", "one polygon a node; moved by 1 nm: same to 1e-6",
      "difference of force by 1 nm", kExactOnly, node_on_corner},
     {28, "DeepOverlap", "bodies deep in each other at rest", "refused, contact.overlap named; if declared, no force",
-     "force at 1 nm / L · 1 nm", kAll, deep_overlap},
+     "force at 1 nm / at 1 mm", kAll, deep_overlap},
     {29, "JumpThroughWall", "probe jumps through the wall in one cycle", "same force as the slow way, to 1e-9",
      "difference of force", kAll, jump_through_wall},
     {30, "GrazingContact", "gap exactly 0, grazing", "|F| ≤ L |d|", "|F| / (L |d|)", kExactOnly, grazing_contact},

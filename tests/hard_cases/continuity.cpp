@@ -92,7 +92,9 @@ Outcome noisy_probe(Jitter& jitter) {
 Outcome million_cycles(Jitter& jitter) {
   // With jitter, and where sanitizers slow it down by 30 times, fewer.
   const int cycles = jitter.exact() && palpate::test::kHeapIsCounted ? 1'000'000 : 10'000;
-  const auto file = write_scene(two_boxes(jitter, {.upper_cells = 3, .lower_cells = 4}));
+  SceneOf scene = two_boxes(jitter, {.upper_cells = 4, .lower_cells = 5});
+  scene.probes[0].kind = "kind = \"pad\"\nradius = \"9 mm\"";
+  const auto file = write_scene(scene);
   const sim::Model model = compiled(file, "exact");
   const double L = steepest(model);
   sim::Simulation simulation(model);

@@ -3,9 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <ostream>
 #include <set>
 
 namespace palpate::hard_cases {
+
+void PrintTo(const HardCase& hard_case, std::ostream* out) {
+  *out << hard_case.number << ", " << hard_case.title;
+}
+
 namespace {
 
 class HardCases : public testing::TestWithParam<HardCase> {};

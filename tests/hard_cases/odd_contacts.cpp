@@ -35,7 +35,7 @@ const sim::ExactScratch& scratch_of(const sim::Simulation& simulation) {
 }  // namespace
 
 Outcome needle_triangle(Jitter& jitter) {
-  const Boxes boxes{.upper_cells = 5, .lower_cells = 6};
+  const Boxes boxes{.upper_cells = 6, .lower_cells = 6};
   SceneOf scene = two_boxes(jitter, boxes);
   Outcome outcome{.limit = 1e-2};
   TetMesh flat = scene.bodies[1].mesh;
@@ -103,7 +103,7 @@ Outcome node_on_corner(Jitter& jitter) {
     return write_scene(two_boxes(jitter, {.upper_cells = 6, .lower_cells = 6, .shift = beside}));
   };
   const auto there = scene(0.0);
-  const std::vector<sim::Override> beside{{"bodies.upper.offset", R"(["1 nm", "-1 nm", "20.2 mm"])"}};
+  const std::vector<sim::Override> beside{{"bodies.upper.offset", R"(["0.001 um", "-0.001 um", "20.2 mm"])"}};
   return of_each_law(1e-6, [&](std::string_view law, Outcome& outcome) {
     const sim::Model on = compiled(there, law), off = compiled(there, law, beside);
     sim::Simulation simulation(on);

@@ -22,11 +22,13 @@ struct BodyOf {
   std::string unit = "m";                                    // of its mesh file
 };
 
+inline constexpr const char* kPad = "kind = \"pad\"\nradius = \"6 mm\"";
+
 /// A probe of a scene file.
 struct ProbeOf {
   std::string name = "finger";
   std::string body = "upper";
-  std::string kind = "kind = \"pad\"\nradius = \"6 mm\"";
+  std::string kind = kPad;
   Vec3 at = Vec3::Zero();
   Vec3 direction = -Vec3::UnitZ();
 };
@@ -50,7 +52,7 @@ std::string refusal_of(const std::filesystem::path& file, std::span<const sim::O
 
 /// Where two boxes lie: the upper one, 30 x 30 x 5 mm, held at its sides, over a block of 20 mm on a fixed bottom.
 struct Boxes {
-  int upper_cells = 5, lower_cells = 6;  // along x and y
+  int upper_cells = 6, lower_cells = 7;  // along x and y; the pad presses a node where the upper one is even
   double gap = 0.2e-3;                   // [m]
   double shift = 1.7e-3;                 // of the upper box along x and y, so that nodes face no nodes [m]
 };
