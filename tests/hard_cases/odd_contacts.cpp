@@ -98,12 +98,12 @@ Outcome fixed_contact(Jitter& jitter) {
 }
 
 Outcome node_on_corner(Jitter& jitter) {
-  // Nodes over nodes, where six polygons meet; then all of them a nanometre beside.
+  // Nodes over nodes, where six polygons meet; then all of them 1e-12 m beside.
   const auto scene = [&](double beside) {
     return write_scene(two_boxes(jitter, {.upper_cells = 6, .lower_cells = 6, .shift = beside}));
   };
   const auto there = scene(0.0);
-  const std::vector<sim::Override> beside{{"bodies.upper.offset", R"(["0.001 um", "-0.001 um", "20.2 mm"])"}};
+  const std::vector<sim::Override> beside{{"bodies.upper.offset", R"(["0.000001 um", "-0.000001 um", "20.2 mm"])"}};
   return of_each_law(1e-6, [&](std::string_view law, Outcome& outcome) {
     const sim::Model on = compiled(there, law), off = compiled(there, law, beside);
     sim::Simulation simulation(on);
