@@ -22,7 +22,8 @@ Pressed pressed(const sim::Model& model, double depth, int steps) {
   Pressed press;
   for (int step = 1; step <= steps; ++step) {
     std::vector<sim::ProbeDisplacement> probes;
-    for (const sim::Probe& probe : model.probes) probes.push_back({Vec3(depth * step / steps * probe.direction)});
+    for (const sim::Probe& probe : model.probes)
+      probes.push_back({Vec3(depth * step / steps * probe.direction)});
     const sim::CycleResult result = simulation.step(probes, sim::kCyclePeriod);
     for (std::size_t p = 0; p < model.probes.size(); ++p)  // the least of all probes
       if (const double back = -result.probe_forces[p].dot(model.probes[p].direction); p == 0)
@@ -44,8 +45,12 @@ SceneOf slab_on_block(Jitter& jitter) {
   TetMesh slab = sim::test::box_mesh(6, 6, 1, Vec3(30e-3, 30e-3, 3e-3));
   slab.node_groups["ends"] = sim::test::nodes_of(slab, {"x_min", "x_max"});
   slab.node_groups["free"] = sim::test::nodes_of(slab, {"y_min", "y_max", "z_min", "z_max"});
-  scene.bodies[0] = {.name = "upper", .mesh = slab, .fixed = "\"ends\"", .touchable = "\"free\"",
-                     .modulus = jitter.of(1e6), .offset = Vec3(0, 0, 20e-3)};
+  scene.bodies[0] = {.name = "upper",
+                     .mesh = slab,
+                     .fixed = "\"ends\"",
+                     .touchable = "\"free\"",
+                     .modulus = jitter.of(1e6),
+                     .offset = Vec3(0, 0, 20e-3)};
   scene.bodies[1].offset = jitter.of(Vec3(0.21e-3, 0.13e-3, 0.0));
   scene.probes = {{.kind = kPoint, .at = Vec3(15e-3, 15e-3, 23e-3)}};
   return scene;
@@ -74,19 +79,24 @@ Outcome held_and_touched(Jitter& jitter) {
 Outcome pinched(Jitter& jitter) {
   // A leaf of 2 mm, held at its sides, between two boxes that press it from above and below; 4 mm together.
   SceneOf scene = two_boxes(jitter);
-  scene.bodies.push_back({.name = "leaf",
-                          .mesh = jitter.of(box_with_sides(7, 1, Vec3(33e-3, 33e-3, 2e-3)), 0.5e-3),
-                          .fixed = "\"sides\"",
-                          .touchable = R"({ lower = ["-1 m", "-1 m", "-1 m"], upper = ["1 m", "1 m", "1 m"] })",
-                          .offset = Vec3(-1e-3, -1e-3, 17.8e-3)});
+  scene.bodies.push_back(
+      {.name = "leaf",
+       .mesh = jitter.of(box_with_sides(7, 1, Vec3(33e-3, 33e-3, 2e-3)), 0.5e-3),
+       .fixed = "\"sides\"",
+       .touchable = R"({ lower = ["-1 m", "-1 m", "-1 m"], upper = ["1 m", "1 m", "1 m"] })",
+       .offset = Vec3(-1e-3, -1e-3, 17.8e-3)});
   scene.bodies[0].offset.z() = 20e-3;
   TetMesh below = jitter.of(box_with_sides(5, 2, Vec3(30e-3, 30e-3, 5e-3)), 1e-3);
-  scene.bodies[1] = {.name = "lower", .mesh = below, .fixed = "\"sides\"", .touchable = "\"z_max\"",
-                     .modulus = jitter.of(1e6), .offset = Vec3(0.6e-3, 0.9e-3, 12.6e-3)};
+  scene.bodies[1] = {.name = "lower",
+                     .mesh = below,
+                     .fixed = "\"sides\"",
+                     .touchable = "\"z_max\"",
+                     .modulus = jitter.of(1e6),
+                     .offset = Vec3(0.6e-3, 0.9e-3, 12.6e-3)};
   scene.touch = R"([["upper", "leaf"], ["leaf", "lower"]])";
   scene.probes[0].at = Vec3(16.7e-3, 16.7e-3, 25e-3);
-  scene.probes.push_back({.name = "thumb", .body = "lower", .at = Vec3(15.6e-3, 15.9e-3, 12.6e-3),
-                          .direction = Vec3::UnitZ()});
+  scene.probes.push_back(
+      {.name = "thumb", .body = "lower", .at = Vec3(15.6e-3, 15.9e-3, 12.6e-3), .direction = Vec3::UnitZ()});
   const auto file = write_scene(scene);
   return of_all_laws(
       0.0,
@@ -117,7 +127,8 @@ Outcome through_thickness(Jitter& jitter) {
 }
 
 Outcome sign_of_force(Jitter& jitter) {
-  const std::vector<SceneOf> scenes{two_boxes(jitter), two_boxes(jitter, {.gap = 0.0}), slab_on_block(jitter)};
+  const std::vector<SceneOf> scenes{two_boxes(jitter), two_boxes(jitter, {.gap = 0.0}),
+                                    slab_on_block(jitter)};
   return of_all_laws(
       0.0,
       [&](std::string_view law, Outcome&) {

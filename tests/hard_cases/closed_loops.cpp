@@ -12,13 +12,14 @@ namespace {
 /// A knot in space below the skin, at a part of its way: it goes round in all three directions and never the way back.
 Vec3 knot(double part, double size) {
   const double t = 2 * std::numbers::pi * part;
-  return size * Vec3(0.8 * std::sin(2 * t + 0.3), 0.7 * std::sin(3 * t), -2.0 + 0.9 * std::cos(t) + 0.3 * std::sin(5 * t));
+  return size * Vec3(0.8 * std::sin(2 * t + 0.3), 0.7 * std::sin(3 * t),
+                     -2.0 + 0.9 * std::cos(t) + 0.3 * std::sin(5 * t));
 }
 
 /// Work of the hand along a straight piece of its way [J]. The force of `exact` is linear between the places at which a
 /// contact comes or goes, where the mean of both ends is exact: pieces that hold such a place are halved.
-double work_along(sim::Simulation& simulation, const Vec3& a, const Vec3& b, const Vec3& force_a, const Vec3& force_b,
-                  int halvings) {
+double work_along(sim::Simulation& simulation, const Vec3& a, const Vec3& b, const Vec3& force_a,
+                  const Vec3& force_b, int halvings) {
   const Vec3 middle = 0.5 * (a + b), force = step_to(simulation, middle).probe_forces[0];
   const Vec3 mean = 0.5 * (force_a + force_b);
   if (halvings == 0 || (force - mean).norm() <= 1e-11 * force.norm()) return -mean.dot(b - a);
@@ -66,7 +67,8 @@ Outcome closed_loops(Jitter& jitter) {
     const sim::Model model = compiled(file, law);
     if (law == "exact")
       for (const double part : {0.1, 0.4, 0.7})
-        outcome.expect(off_the_slope(model, knot(part, size)) <= 1e-6, "the force is not the slope of the energy");
+        outcome.expect(off_the_slope(model, knot(part, size)) <= 1e-6,
+                       "the force is not the slope of the energy");
     return work_round(model, size, law == "exact" ? 24 : 4);
   });
 }

@@ -79,10 +79,11 @@ Outcome big_sizes(Jitter& jitter) {
   outcome.expect(says(refusal, "GB, more than half of"), "refusal: " + refusal);
   // A body of more touchable nodes than a scene may have (its compliance would have 2^31 entries from 15 448 on).
   SceneOf scene;
-  scene.bodies = {{.name = "upper",
-                   .mesh = jitter.of(sim::test::box_mesh(34, 34, 1, Vec3(34e-3, 34e-3, 1e-3)), 1e-4)}};
+  scene.bodies = {
+      {.name = "upper", .mesh = jitter.of(sim::test::box_mesh(34, 34, 1, Vec3(34e-3, 34e-3, 1e-3)), 1e-4)}};
   scene.probes = {{.kind = "kind = \"point\"", .at = Vec3(17e-3, 17e-3, 1e-3)}};
-  outcome.expect(says(refusal_of(write_scene(scene), {}), "bodies.upper.touchable"), "too many nodes are taken");
+  outcome.expect(says(refusal_of(write_scene(scene), {}), "bodies.upper.touchable"),
+                 "too many nodes are taken");
   return outcome;
 }
 

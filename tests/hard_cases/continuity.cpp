@@ -48,7 +48,8 @@ Outcome jumps_along(const SceneOf& scene, int steps, Place place) {
 Outcome onset_of_contact(Jitter& jitter) {
   // From before the first contact to after the last one of a press of 2 mm.
   const Vec3 slant = jitter.of(Vec3(0.05, 0.02, -1.0));
-  return jumps_along(pressed_boxes(jitter), 2000, [&](int step) -> Vec3 { return step * kMicrometre * slant; });
+  return jumps_along(pressed_boxes(jitter), 2000,
+                     [&](int step) -> Vec3 { return step * kMicrometre * slant; });
 }
 
 Outcome sliding_across(Jitter& jitter) {

@@ -65,8 +65,9 @@ Outcome damaged_cache(Jitter& jitter) {
   std::string flipped = sound, other_version = sound;
   flipped[random() % sound.size()] ^= static_cast<char>(1U << random() % 8);
   other_version[16] = 2;  // the version follows the magic of 16 bytes
-  for (const std::string& damaged : {sound.substr(0, random() % sound.size()), flipped, other_version, sound + "x",
-                                     content_of(folder.path() / (other.key() + ".compliance"))}) {
+  for (const std::string& damaged :
+       {sound.substr(0, random() % sound.size()), flipped, other_version, sound + "x",
+        content_of(folder.path() / (other.key() + ".compliance"))}) {
     std::ofstream(file, std::ios::binary | std::ios::trunc) << damaged;
     std::string told;
     sim::ComplianceCache cache(folder.path(), [&](const std::string& sentence) { told += sentence; });

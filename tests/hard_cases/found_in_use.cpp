@@ -19,18 +19,20 @@ Outcome touching_at_rest(Jitter& jitter) {
   SceneOf raised = scene;
   raised.bodies[0].offset.z() += 1e-12;
   const auto touching = write_scene(scene), apart_by_a_hair = write_scene(raised);
-  return of_all_laws(1e-7, [&](std::string_view law, Outcome& outcome) {  // 1e-12 m of 1e-4 m and more, tenfold
-    const sim::Model a = compiled(touching, law), b = compiled(apart_by_a_hair, law);
-    sim::Simulation on(a), off(b);
-    double farthest = 0.0;
-    for (const double depth : {1e-4, 3e-4, 1e-3, 2e-3}) {
-      const Vec3 there = jitter.of(Vec3(0, 0, -depth));
-      const sim::CycleResult one = step_to(on, there), other = step_to(off, there);
-      outcome.expect(one.pairs[0].active > 0 && one.pairs[0].active == other.pairs[0].active, "other contacts");
-      farthest = std::max(farthest, apart(one.probe_forces[0], other.probe_forces[0]));
-    }
-    return farthest;
-  });
+  return of_all_laws(
+      1e-7, [&](std::string_view law, Outcome& outcome) {  // 1e-12 m of 1e-4 m and more, tenfold
+        const sim::Model a = compiled(touching, law), b = compiled(apart_by_a_hair, law);
+        sim::Simulation on(a), off(b);
+        double farthest = 0.0;
+        for (const double depth : {1e-4, 3e-4, 1e-3, 2e-3}) {
+          const Vec3 there = jitter.of(Vec3(0, 0, -depth));
+          const sim::CycleResult one = step_to(on, there), other = step_to(off, there);
+          outcome.expect(one.pairs[0].active > 0 && one.pairs[0].active == other.pairs[0].active,
+                         "other contacts");
+          farthest = std::max(farthest, apart(one.probe_forces[0], other.probe_forces[0]));
+        }
+        return farthest;
+      });
 }
 
 Outcome probe_on_fixed_node(Jitter& jitter) {

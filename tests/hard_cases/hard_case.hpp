@@ -42,9 +42,10 @@ struct Outcome {
   double figure = 0.0;  // measured
   double limit = 0.0;   // that it must keep
   Bound bound = Bound::AtMost;
-  int checks = 0;                         // of what the case states besides its figure
-  std::vector<std::string> faults{};      // those that did not hold, in words; none may
-  std::optional<double> kuroda{}, sibille{};  // the same figure of the laws that the case does not bind: published
+  int checks = 0;                     // of what the case states besides its figure
+  std::vector<std::string> faults{};  // those that did not hold, in words; none may
+  std::optional<double> kuroda{},
+      sibille{};  // the same figure of the laws that the case does not bind: published
 
   bool holds() const;
   /// Notes a fault where something that the case states besides its figure does not hold.
@@ -60,7 +61,7 @@ struct HardCase {
   const char* name = "";       // of its test
   const char* title = "";      // what is hard, in few words
   const char* criterion = "";  // what must hold
-  const char* figure = "";     // what is measured, with its unit; empty: what did not hold is counted
+  const char* figure = "";     // what is measured, with its unit; empty: checks alone
   const char* binds = "";      // contact models that must keep it; "-": the case is none of contact
   Outcome (*run)(Jitter& jitter) = nullptr;
 };

@@ -26,7 +26,8 @@ int check(const std::string& file, const std::vector<Result>& results) {
   const std::string committed{std::istreambuf_iterator<char>(stream), {}};
   const auto found = differences(committed, document(results), results);
   for (const std::string& difference : found) fmt::print(stderr, "{}\n", difference);
-  if (!found.empty()) fmt::print(stderr, "{} is stale; make it anew: ninja -C build/release hard_cases\n", file);
+  if (!found.empty())
+    fmt::print(stderr, "{} is stale; make it anew: ninja -C build/release hard_cases\n", file);
   return found.empty() ? 0 : 1;
 }
 

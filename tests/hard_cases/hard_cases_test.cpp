@@ -1,10 +1,10 @@
 // One test a case, of its name: once exactly, ten times with jitter.
-#include "tests/hard_cases/hard_case.hpp"
-
 #include <gtest/gtest.h>
 
 #include <ostream>
 #include <set>
+
+#include "tests/hard_cases/hard_case.hpp"
 
 namespace palpate::hard_cases {
 
@@ -20,8 +20,8 @@ TEST_P(HardCases, Holds) {
   const std::vector<Outcome> outcomes = run_all(GetParam());
   for (std::size_t run = 0; run < outcomes.size(); ++run) {
     const Outcome& outcome = outcomes[run];
-    EXPECT_TRUE(outcome.holds()) << GetParam().title << ", " << (run == 0 ? "exactly" : "with jitter ") << run << ": "
-                                 << GetParam().figure << " = " << outcome.figure << ", must be at "
+    EXPECT_TRUE(outcome.holds()) << GetParam().title << ", " << (run == 0 ? "exactly" : "with jitter ") << run
+                                 << ": " << GetParam().figure << " = " << outcome.figure << ", must be at "
                                  << (outcome.bound == Bound::AtMost ? "most " : "least ") << outcome.limit;
     for (const std::string& fault : outcome.faults) ADD_FAILURE() << "run " << run << ": " << fault;
   }

@@ -36,13 +36,16 @@ void count_capped_cycles(Jitter& jitter, Outcome& outcome) {
   constexpr sim::ContactLaw kCapped{
       .name = "capped",
       .prepare = [](const sim::Model&) { return std::make_unique<sim::LawScratch>(); },
-      .solve = [](const sim::Model&, const sim::FreeState&, std::span<const double>, sim::LawScratch&,
-                  sim::Response&) { return sim::SolveReport{.stop = sim::Stop::CapReached, .iterations = 1000}; }};
+      .solve =
+          [](const sim::Model&, const sim::FreeState&, std::span<const double>, sim::LawScratch&,
+             sim::Response&) { return sim::SolveReport{.stop = sim::Stop::CapReached, .iterations = 1000}; }};
   sim::Model model = compiled(two_boxes(jitter), "exact");
   model.law = &kCapped;
   sim::Simulation simulation(model);
-  outcome.expect(step_to(simulation, Vec3(0, 0, -1e-3)).solve.stop == sim::Stop::CapReached, "no flag in the step");
-  app::IntervalEngine engine(model, {.least_presses = 1, .most_presses = 3, .max_time = 3.0}, devices::mouse());
+  outcome.expect(step_to(simulation, Vec3(0, 0, -1e-3)).solve.stop == sim::Stop::CapReached,
+                 "no flag in the step");
+  app::IntervalEngine engine(model, {.least_presses = 1, .most_presses = 3, .max_time = 3.0},
+                             devices::mouse());
   for (int cycle = 0; cycle < 50; ++cycle)
     engine.tick({.position = (cycle < 10 ? -1e-3 : 1e-3) * engine.press(), .known = true});
   outcome.expect(engine.solve_record().cycles_at_cap == 50, "the trial does not count them");
@@ -60,8 +63,10 @@ Outcome iteration_cap(Jitter& jitter) {
   sim::ComplementaritySolve capped(hard), solved(easy);
   const auto report = capped.solve(holds, values, gaps);
   outcome.expect(report.end == End::CapReached, "the cap is not reached");
-  outcome.expect(report.iterations == sim::ComplementaritySolve::kMostIterations, "iterations are miscounted");
-  outcome.expect(capped.forces().allFinite() && capped.forces().tail(kContacts).minCoeff() >= 0.0, "a contact pulls");
+  outcome.expect(report.iterations == sim::ComplementaritySolve::kMostIterations,
+                 "iterations are miscounted");
+  outcome.expect(capped.forces().allFinite() && capped.forces().tail(kContacts).minCoeff() >= 0.0,
+                 "a contact pulls");
   outcome.expect(std::abs((hard.compliance * capped.forces())[0]) <= 1e-9 * capped.forces().norm(),
                  "the probe does not hold");
   outcome.expect(solved.solve(holds, values, gaps).end == End::Converged, "the other order is not solved");

@@ -69,7 +69,8 @@ Outcome bad_device(Jitter& jitter) {
         time_to_zero(press, outcome, [&](int cycle) { press.tick(cycle == 1 ? bad : depth); });
     outcome.figure = std::max(outcome.figure, 1e3 * app::kCycleSeconds * cycles);
     for (int cycle = 0; cycle < 300; ++cycle) press.tick(cycle < 100 ? -1e-3 : depth);
-    outcome.expect(press.force() == 0.0 && press.engine.state().fault == app::Fault::NotFinite, "it does not latch");
+    outcome.expect(press.force() == 0.0 && press.engine.state().fault == app::Fault::NotFinite,
+                   "it does not latch");
     outcome.expect(std::isfinite(press.engine.state().depth), "the probe is nowhere");
   }
   return outcome;
@@ -112,13 +113,15 @@ Outcome overrun(Jitter& jitter) {
   press.tick(press.depth, 0.5, true, 20);  // 20 ms late, and what is known of the hand is old
   outcome.expect(press.engine.state().tick == tick + 20, "missed cycles are no time");
   outcome.figure = press.force() / held;
-  Pressing late(jitter, 1e-3), punctual(jitter, 1e-3);  // a late cycle with fresh input catches up with nothing
+  Pressing late(jitter, 1e-3),
+      punctual(jitter, 1e-3);  // a late cycle with fresh input catches up with nothing
   late.tick(3e-3, 0.0, true, 500);
   punctual.tick(3e-3);
   outcome.expect(late.force() <= punctual.force() * (1 + 1e-9), "a late cycle is felt as a kick");
   app::LoopClock clock;
   clock.reset();
-  for (int cycle = 0; cycle < 100; ++cycle) clock.add(std::chrono::milliseconds(cycle % 10 == 0 ? 4 : 1), cycle % 10 == 0 ? 3 : 0);
+  for (int cycle = 0; cycle < 100; ++cycle)
+    clock.add(std::chrono::milliseconds(cycle % 10 == 0 ? 4 : 1), cycle % 10 == 0 ? 3 : 0);
   outcome.expect(clock.timing().missed_cycles == 30, "missed cycles are miscounted");
   return outcome;
 }
@@ -126,8 +129,8 @@ Outcome overrun(Jitter& jitter) {
 Outcome device_lost(Jitter& jitter) {
   Outcome outcome{.limit = 20.0};
   Pressing press(jitter, jitter.of(1e-3));
-  const double cycles =
-      time_to_zero(press, outcome, [&](int cycle) { press.tick(press.depth, cycle * app::kCycleSeconds, false); });
+  const double cycles = time_to_zero(
+      press, outcome, [&](int cycle) { press.tick(press.depth, cycle * app::kCycleSeconds, false); });
   outcome.figure = 1e3 * app::kCycleSeconds * cycles;
   for (int cycle = 0; cycle < 100; ++cycle) press.tick(press.depth, 1.0, false);
   outcome.expect(press.force() == 0.0, "the motors are on");

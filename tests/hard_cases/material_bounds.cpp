@@ -16,14 +16,17 @@ Outcome material_bounds(Jitter& jitter) {
   Outcome outcome;
   for (const std::string& ratio : {beyond(0.5), beyond(0.6), beyond(-1.0), beyond(-7.0), std::string("nan"),
                                    std::string("inf"), std::string("\"half\"")}) {
-    const std::string refusal = refusal_of(scene, std::vector<sim::Override>{{"bodies.upper.poisson_ratio", ratio}});
-    outcome.expect(refusal.find("bodies.upper.poisson_ratio") != std::string::npos, "poisson_ratio = " + ratio);
+    const std::string refusal =
+        refusal_of(scene, std::vector<sim::Override>{{"bodies.upper.poisson_ratio", ratio}});
+    outcome.expect(refusal.find("bodies.upper.poisson_ratio") != std::string::npos,
+                   "poisson_ratio = " + ratio);
   }
   for (const std::string& modulus : {std::string("0 Pa"), beyond(-1.0) + " MPa", std::string("nan Pa"),
                                      std::string("inf Pa"), std::string("1 mm"), std::string("1e400 Pa")}) {
     const std::string refusal =
         refusal_of(scene, std::vector<sim::Override>{{"bodies.upper.young_modulus", "\"" + modulus + "\""}});
-    outcome.expect(refusal.find("bodies.upper.young_modulus") != std::string::npos, "young_modulus = " + modulus);
+    outcome.expect(refusal.find("bodies.upper.young_modulus") != std::string::npos,
+                   "young_modulus = " + modulus);
   }
   return outcome;
 }

@@ -74,7 +74,8 @@ Outcome redundant_contacts(Jitter& jitter) {
   }
   const Eigen::VectorXd& forces = scratch_of(used).solve.forces();
   const Eigen::Index first = scratch_of(used).system.bilateral;
-  outcome.expect(forces.tail(forces.size() - first).maxCoeff() <= net(fresh).norm(), "a contact pushes more than all");
+  outcome.expect(forces.tail(forces.size() - first).maxCoeff() <= net(fresh).norm(),
+                 "a contact pushes more than all");
   outcome.expect(forces.tail(forces.size() - first).minCoeff() >= 0.0, "a contact pulls");
   return outcome;
 }
@@ -93,7 +94,8 @@ Outcome fixed_contact(Jitter& jitter) {
   outcome.expect(W.size() > 0, "there is no contact");
   outcome.figure = W.minCoeff() / W.maxCoeff();
   scene.bodies[1].touchable = "\"x_min\"";  // fixed altogether
-  outcome.expect(says(refusal_of(write_scene(scene), {}), "bodies.lower.touchable"), "what is fixed may touch");
+  outcome.expect(says(refusal_of(write_scene(scene), {}), "bodies.lower.touchable"),
+                 "what is fixed may touch");
   return outcome;
 }
 
@@ -103,7 +105,8 @@ Outcome node_on_corner(Jitter& jitter) {
     return write_scene(two_boxes(jitter, {.upper_cells = 6, .lower_cells = 6, .shift = beside}));
   };
   const auto there = scene(0.0);
-  const std::vector<sim::Override> beside{{"bodies.upper.offset", R"(["0.000001 um", "-0.000001 um", "20.2 mm"])"}};
+  const std::vector<sim::Override> beside{
+      {"bodies.upper.offset", R"(["0.000001 um", "-0.000001 um", "20.2 mm"])"}};
   return of_each_law(1e-6, [&](std::string_view law, Outcome& outcome) {
     const sim::Model on = compiled(there, law), off = compiled(there, law, beside);
     sim::Simulation simulation(on);

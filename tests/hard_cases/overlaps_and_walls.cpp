@@ -22,7 +22,8 @@ Outcome deep_overlap(Jitter& jitter) {
     std::vector<sim::Override> undeclared = overlapping;
     undeclared.push_back({"contact.model", std::string(law)});
     const std::string refusal = refusal_of(scene, undeclared);
-    outcome.expect(says(refusal, "contact.overlap") && says(refusal, "mm"), "an overlap is taken: " + refusal);
+    outcome.expect(says(refusal, "contact.overlap") && says(refusal, "mm"),
+                   "an overlap is taken: " + refusal);
     const sim::Model model = compiled(scene, law, declared);
     return force_at(model, Vec3(0, 0, -1e-9)).norm() / force_at(model, Vec3(0, 0, -1e-3)).norm();
   });
@@ -51,7 +52,8 @@ Outcome grazing_contact(Jitter& jitter) {
     sim::Simulation simulation(model);
     double largest = 0.0;
     for (double depth = 1e-15; depth < 1e-4; depth *= 10)
-      for (const Vec3& slant : {Vec3(0, 0, 0), Vec3(1e-3, 0, 0), Vec3(-1e-5, 1e-4, 0), Vec3(1e-9, 1e-12, 0)}) {
+      for (const Vec3& slant :
+           {Vec3(0, 0, 0), Vec3(1e-3, 0, 0), Vec3(-1e-5, 1e-4, 0), Vec3(1e-9, 1e-12, 0)}) {
         const Vec3 there = jitter.of(Vec3(slant - Vec3(0, 0, depth)));
         const Vec3 force = step_to(simulation, there).probe_forces[0];
         outcome.expect(force.allFinite(), "a force is not finite");

@@ -13,7 +13,8 @@ std::vector<Vec3> random_poses(Jitter& jitter, int count) {
   std::mt19937_64 random(17);
   std::uniform_real_distribution<double> depth(-0.5e-3, 3e-3), slant(-0.7e-3, 0.7e-3);
   std::vector<Vec3> poses;
-  for (int i = 0; i < count; ++i) poses.push_back(jitter.of(Vec3(slant(random), slant(random), -depth(random))));
+  for (int i = 0; i < count; ++i)
+    poses.push_back(jitter.of(Vec3(slant(random), slant(random), -depth(random))));
   return poses;
 }
 

@@ -36,7 +36,7 @@ struct ProbeOf {
 struct SceneOf {
   std::vector<BodyOf> bodies{};
   std::vector<ProbeOf> probes{};
-  std::string contact{};                                        // further keys of the contact table
+  std::string contact{};  // further keys of the contact table
   std::string touch = "[[\"upper\", \"lower\"]]";
 };
 

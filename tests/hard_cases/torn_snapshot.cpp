@@ -20,7 +20,8 @@ struct Payload {
 
   static Payload of(std::uint64_t seed) {
     Payload payload;
-    for (std::uint64_t& number : payload.numbers) payload.sum += number = seed = 6364136223846793005U * seed + 1;
+    for (std::uint64_t& number : payload.numbers)
+      payload.sum += number = seed = 6364136223846793005U * seed + 1;
     return payload;
   }
   bool whole() const {

@@ -30,11 +30,12 @@ Outcome units(Jitter& jitter) {
   }
   const Vec3 there(0.3e-3, 0.1e-3, -2e-3);
   Outcome outcome{.limit = 1e-10};  // numbers rounded to 1e-16, in a body whose condition is some 1e4
-  outcome.figure =
-      apart(force_at(compiled(in_millimetres, "exact"), there), force_at(compiled(in_metres, "exact"), there));
+  outcome.figure = apart(force_at(compiled(in_millimetres, "exact"), there),
+                         force_at(compiled(in_metres, "exact"), there));
   SceneOf without_unit = in_metres;
   without_unit.bodies[0].unit = "";
-  outcome.expect(says(refusal_of(write_scene(without_unit), {}), "length_unit"), "a scene without units is read");
+  outcome.expect(says(refusal_of(write_scene(without_unit), {}), "length_unit"),
+                 "a scene without units is read");
   const TetMesh box = jitter.of(sim::test::box_mesh(2, 2, 2, Vec3::Constant(30e-3)), 1e-3);
   outcome.expect(!warned(box), "a body of 30 mm draws a warning");
   outcome.expect(warned(scaled(box, 1000.0)), "a body of 30 m draws no warning");

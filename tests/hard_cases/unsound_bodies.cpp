@@ -76,8 +76,9 @@ Outcome non_manifold_surface(Jitter& jitter) {
 Outcome loose_piece(Jitter& jitter) {
   Outcome outcome;
   const std::string refusal = with_fixed(jitter, two_pieces(), "\"z_min\"");
-  outcome.expect(says(refusal, "bodies.upper") && says(refusal, "one of the body's 2 pieces (the one of 8 nodes"),
-                 "refusal: " + refusal);
+  outcome.expect(
+      says(refusal, "bodies.upper") && says(refusal, "one of the body's 2 pieces (the one of 8 nodes"),
+      "refusal: " + refusal);
   return outcome;
 }
 
@@ -101,7 +102,7 @@ Outcome few_fixed_nodes(Jitter& jitter) {
   };
   expect(box, "[1]", "leave 3 of 6 rigid motions");
   expect(box, "[1, 3]", "leave 1 of 6 rigid motions");
-  expect(box, "[1, 3, 7]", "");  // three corners of the bottom
+  expect(box, "[1, 3, 7]", "");                                     // three corners of the bottom
   if (jitter.exact()) expect(box, "[1, 2, 3]", "lie on one line");  // jitter takes them off it
   return outcome;
 }
