@@ -8,21 +8,6 @@
 #include "sim/probe/probes.hpp"
 
 namespace palpate::sim {
-namespace {
-
-/// What is displaced by less counts as not displaced [m]: products of what it would bring are denormal numbers (below
-/// 2.2e-308), with which processors are slow, or 0, with which no sign is right any more.
-constexpr double kLeastDisplacement = 1e-100;
-
-void leave_out_the_smallest(ProbeRows& probes) {
-  for (ProbeRow& row : probes) {
-    row.value = (row.value.array().abs() < kLeastDisplacement).select(0.0, row.value);
-    row.region = (row.region.array().abs() < kLeastDisplacement).select(0.0, row.region);
-  }
-}
-
-}  // namespace
-
 Simulation::Simulation(const Model& model)
     : model_(&model), law_(model.law->prepare(model)), memory_(law_ ? model.law->memory_size(model) : 0) {
   free_.probes = probe_rows(model);
@@ -76,7 +61,6 @@ SolveReport Simulation::solve(ProbeDisplacements probes) {
       }))
     return {.stop = Stop::NotFinite};
   prescribe(*model_, probes, free_.probes);
-  leave_out_the_smallest(free_.probes);
   for (std::size_t i = 0; i < free_.probes.size(); ++i) response_.loads.held[i] = free_.probes[i].region;
   SolveReport report = free_deformation(*model_, free_solves_, free_, response_);
   if (!law_) report.force_error_bound = 0.0;  // nothing is iterated
