@@ -8,7 +8,6 @@
 #include "sim/probe/probes.hpp"
 
 namespace palpate::sim {
-
 Simulation::Simulation(const Model& model)
     : model_(&model), law_(model.law->prepare(model)), memory_(law_ ? model.law->memory_size(model) : 0) {
   free_.probes = probe_rows(model);

@@ -89,11 +89,22 @@ void take_away(const Model& model, std::size_t holding, ProbeRows& rows) {
   }
 }
 
+/// What is displaced by less counts as not displaced [m, rad]: products of what it would bring are denormal numbers
+/// (below 2.2e-308), with which processors are slow, or 0, with which no sign is right any more.
+constexpr double kLeastDisplacement = 1e-100;
+
+Vec3 without_the_smallest(const Vec3& displacement) {
+  return (displacement.array().abs() < kLeastDisplacement).select(0.0, displacement);
+}
+
 }  // namespace
 
 void prescribe(const Model& model, ProbeDisplacements displacements, ProbeRows& rows) {
   for (std::size_t i = 0; i < model.probes.size(); ++i)
-    model.probes[i].kind->prescribe(model.probes[i], displacements[i], rows[i]);
+    model.probes[i].kind->prescribe(model.probes[i],
+                                    {.from_rest = without_the_smallest(displacements[i].from_rest),
+                                     .rotation = without_the_smallest(displacements[i].rotation)},
+                                    rows[i]);
   for (std::size_t i = 0; i < model.probes.size(); ++i)
     if (model.probes[i].region) take_away(model, i, rows);
 }

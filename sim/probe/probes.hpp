@@ -15,7 +15,7 @@ ProbeRows probe_rows(const Model& model);
 /// Whether a probe of the model slides.
 bool any_slides(const Model& model);
 
-/// What every probe prescribes where it is now.
+/// What every probe prescribes where it is now. A displacement below 1e-100 m counts as none.
 void prescribe(const Model& model, ProbeDisplacements displacements, ProbeRows& rows);
 
 /// Puts a probe on a body: at the surface node that the scene names, or nearest to the place that it names,

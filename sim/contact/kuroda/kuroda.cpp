@@ -15,6 +15,10 @@ Vec3 temporary_displacement(const CollidingPair& pair) {
   return -pair.depth * pair.normal;
 }
 
+/// Cosines of angles that differ by less count as alike: which polygon is taken must not hang on rounding, or the same
+/// scene turned round would give another force.
+constexpr double kAlike = 1e-9;
+
 /// The polygon of A beside node a that faces S most squarely; of two alike the lower number.
 int adjacent_polygon(const Body& body, PlacedBody& placed, int node, const Vec3& normal_of_s) {
   const int first = body.polygons.incident_begin[node];
@@ -23,7 +27,7 @@ int adjacent_polygon(const Body& body, PlacedBody& placed, int node, const Vec3&
   for (int i = first + 1; i < body.polygons.incident_begin[node + 1]; ++i) {
     const int polygon = body.polygons.incident[i];
     const double alignment = polygon_normal(body, placed, polygon).dot(normal_of_s);
-    if (alignment < least) {
+    if (alignment < least - kAlike) {
       least = alignment;
       adjacent = polygon;
     }
