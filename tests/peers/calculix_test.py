@@ -17,6 +17,7 @@ import run_palpate  # noqa: E402
 import scenes  # noqa: E402
 
 DEPTH = 2e-3  # of the sphere's cap [m]
+PAIRINGS = ("nodes of box", "nodes of sphere", "both")
 PENALTIES = (1e9, 1e10, 1e11)  # pressure per depth [Pa/m]
 
 
@@ -44,12 +45,12 @@ def compare_fields(palpate, name, scene, findings):
             f"{1e3 * ours.cycle:.3f}"]
 
 
-def compare_contact(palpate, edge, findings):
+def compare_contact(palpate, edge):
     """How far CalculiX's force is from palpate's, at each penalty. @return the differences, and a row of the table"""
     ours = {}
     with tempfile.TemporaryDirectory() as folder:
         scene = scenes.sphere_on_box(folder, edge, "both", DEPTH)
-        for scene.pairing in ("nodes of box", "nodes of sphere", "both"):
+        for scene.pairing in PAIRINGS:
             ours[scene.pairing] = run_palpate.press(palpate, scene.write(folder), scene.meshes(), save=False)
         solved = [peer_calculix.solve(scene, folder, penalty) for penalty in PENALTIES]
     theirs = [forces["sphere"][scene.moved].sum(0) @ scene.direction for _, forces, _ in solved]
@@ -70,14 +71,15 @@ def main(palpate, table):
     comparing.print_table(["scene", "nodes", "forces differ by", "displacements differ by", "ccx, whole program [s]",
                            "palpate's cycle [ms]"], rows)
     edges = (7e-3, 4e-3) + ((2.9e-3, 2.2e-3) if table else ())
-    compared = [compare_contact(palpate, edge, findings) for edge in edges]
+    compared = [compare_contact(palpate, edge) for edge in edges]
     for edge, (differences, _) in zip(edges, compared):
-        for (penalty, before), (_, after) in zip(zip(PENALTIES, differences), list(zip(PENALTIES, differences))[1:]):
-            findings.below(f"{1e3 * edge:g} mm: the difference over that with a tenth of the penalty", after / before, 1)
+        for penalty, before, after in zip(PENALTIES[1:], differences, differences[1:]):
+            findings.below(f"{1e3 * edge:g} mm, {penalty:.0e} Pa/m: the difference over that with less penalty",
+                           after / before, 1)
     for (coarse, _), (fine, _) in zip(compared, compared[1:]):
         findings.below("hardest penalty: the difference over that on the coarser mesh", fine[-1] / coarse[-1], 1)
     findings.below("4 mm, hardest penalty: forces differ by", compared[1][0][-1], 0.02)
-    comparing.print_table(["edges [mm]", "nodes", "closed contacts", "nodes of box [N]", "nodes of sphere [N]", "both [N]",
+    comparing.print_table(["edges [mm]", "nodes", "closed contacts", *(f"{pairing} [N]" for pairing in PAIRINGS),
                            *(f"ccx, {p:.0e} Pa/m [N]" for p in PENALTIES), "ccx, whole program [s]",
                            "palpate's cycle [ms]"], [row for _, row in compared])
     findings.end()

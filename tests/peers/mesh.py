@@ -55,6 +55,17 @@ def grid(lower, upper, cells):
     return Mesh(nodes, oriented(nodes, np.concatenate(tetrahedra)))
 
 
+def mirrored(mesh, axis):
+    """The mesh and its mirror image on the plane of its nodes of least x, y or z, as one."""
+    image, least = mesh.nodes.copy(), mesh.nodes[:, axis].min()
+    image[:, axis] = 2 * least - image[:, axis]
+    new = np.flatnonzero(mesh.nodes[:, axis] > least)
+    place = np.arange(len(image))
+    place[new] = len(image) + np.arange(len(new))
+    nodes = np.concatenate([mesh.nodes, image[new]])
+    return Mesh(nodes, oriented(nodes, np.concatenate([mesh.tetrahedra, place[mesh.tetrahedra]])))
+
+
 def _sections(text):
     """Lines of each $Section."""
     sections, lines = {}, iter(text.splitlines())

@@ -75,8 +75,9 @@ def _printed(file, scene, first):
             table = tables.setdefault(words[0], {})
         elif len(words) == 4:
             table[int(words[0])] = [float(word) for word in words[1:]]
-    return tuple({name: np.array([tables[kind][node] for node in range(begin, begin + len(scene.bodies[name].mesh.nodes))])
-                  for name, (begin, _) in first.items()} for kind in ("displacements", "forces"))
+    nodes = {name: range(begin, begin + len(scene.bodies[name].mesh.nodes)) for name, (begin, _) in first.items()}
+    return tuple({name: np.array([tables[kind][node] for node in numbers]) for name, numbers in nodes.items()}
+                 for kind in ("displacements", "forces"))
 
 
 def solve(scene, folder, penalty=None):

@@ -1,4 +1,4 @@
-"""GetFEM on a scene: its mesh and elements, its stiffness, its Newton solver, its contact by an augmented Lagrangian."""
+"""GetFEM on a scene: its mesh and elements, its stiffness, its Newton solver, contact by an augmented Lagrangian."""
 import time
 
 import getfem
@@ -83,12 +83,38 @@ def _let_touch(model, problem, rows):
     model.add_basic_contact_brick("u", "pressure", "r", normals, "gap")
 
 
-def solve(scene):
-    """@return displacement and K u of every node of each body (n x 3), and the seconds that the solver took"""
+def _face_region(problem, body, region):
+    """Makes the touchable triangles of a body, with their tetrahedra, a region of GetFEM's mesh."""
+    number = {tuple(place): i for i, place in enumerate(body.mesh.nodes.tolist())}
+    touchable = {tuple(sorted(triangle)) for triangle in pairing.touchable_triangles(body.mesh).tolist()}
+    faces = []
+    for convex, face in problem.mesh.outer_faces().T.tolist():
+        corners = problem.mesh.pts(problem.mesh.pid_in_faces([[convex], [face]])).T.tolist()
+        if tuple(sorted(number.get(tuple(corner), -1) for corner in corners)) in touchable:
+            faces.append((convex, face))
+    problem.mesh.set_region(region, np.array(faces).T)
+
+
+def _let_touch_by_own_pairing(model, problem, scene):
+    """The same contact, but GetFEM finds what each node faces, by its own rules."""
+    regions = [len(scene.bodies) + 1, len(scene.bodies) + 2]
+    for region, body in zip(regions, scene.bodies.values()):
+        _face_region(problem, body, region)
+    of_nodes = [int(scene.pairing in ("both", f"nodes of {name}")) for name in scene.bodies]
+    model.add_initialized_data("r", [AUGMENTATION])
+    model.add_nodal_contact_between_nonmatching_meshes_brick(problem.integration, "u", "pressure", "r", *regions,
+                                                             *of_nodes)
+
+
+def solve(scene, own_pairing=False):
+    """@param own_pairing  GetFEM finds what faces what, and not the conditions of contact_rows
+    @return displacement and K u of every node of each body (n x 3), and the seconds that the solver took"""
     problem = Problem(scene)
     model, stiffness = _elasticity(problem, scene)
     _prescribe(model, problem, scene)
-    if scene.pairing:
+    if scene.pairing and own_pairing:
+        _let_touch_by_own_pairing(model, problem, scene)
+    elif scene.pairing:
         _let_touch(model, problem, contact_rows(scene))
     begun = time.monotonic()
     iterations, converged = model.solve("max_res", RESIDUAL, "max_iter", MOST_ITERATIONS, "lsolver", "mumps")

@@ -90,35 +90,49 @@ def indenter(block, within, height):
     face = block.nodes[nodes].copy()
     face[:, 2] = height(np.hypot(face[:, 0], face[:, 1]))
     places = np.concatenate([face, face + [0, 0, 0.3 * CONTACT]])
-    prisms = np.concatenate([np.stack(t, 1) for t in ((a, b, c, c + n), (a, b, b + n, c + n), (a, a + n, b + n, c + n))])
+    prisms = np.concatenate([np.stack(corners, 1) for corners in
+                             ((a, b, c, c + n), (a, b, b + n, c + n), (a, a + n, b + n, c + n))])
     return meshes.Mesh(places, meshes.oriented(places, prisms),
                        {"touchable": np.arange(n), "held": np.arange(n, 2 * n)})
 
 
 def pressed_by(block, poisson, punch, depth):
-    return scenes.Scene({"punch": scenes.Body(punch, STIFF * MODULUS, 0.3), "block": scenes.Body(block, MODULUS, poisson)},
-                        'kind = "region"\ngroup = "held"', punch.groups["held"], DOWN, depth, "nodes of punch")
+    bodies = {"punch": scenes.Body(punch, STIFF * MODULUS, 0.3), "block": scenes.Body(block, MODULUS, poisson)}
+    return scenes.Scene(bodies, 'kind = "region"\ngroup = "held"', punch.groups["held"], DOWN, depth, "nodes of punch")
 
 
 # Each: @param cells  how fine: cells across the thickness, or as fine_within and fine_at_rim have it
 # @return scene, and its force by the formula [N]
 
-def rigid_sphere(folder, cells):
-    poisson, radius = 0.4, 10 * CONTACT
-    depth = CONTACT**2 / radius
+RADIUS = 10 * CONTACT  # of spheres [m]
+
+
+def fingertip(folder, cells):
+    poisson, depth = 0.4, CONTACT**2 / RADIUS
     block = graded_block(folder, fine_within(cells), (0, CONTACT))
     scene = scenes.Scene({"block": scenes.Body(block, MODULUS, poisson)},
-                         f'kind = "fingertip"\nradius = "{radius!r} m"\nat = ["0 m", "0 m", "0 m"]',
+                         f'kind = "fingertip"\nradius = "{RADIUS!r} m"\nat = ["0 m", "0 m", "0 m"]',
                          np.array([], int), DOWN, depth)
-    return scene, hertz(radius, depth, poisson)
+    return scene, hertz(RADIUS, depth, poisson)
+
+
+def _rounded(folder, cells, poisson, depth, height):
+    """A rigid body without edges, whose face is at height(r), pressed down."""
+    block = graded_block(folder, fine_within(cells), (0, (1.1 + 2 / cells) * CONTACT))
+    return pressed_by(block, poisson, indenter(block, (1.1 + 1 / cells) * CONTACT, height), depth)
+
+
+def rigid_sphere(folder, cells):
+    """A paraboloid, as which Hertz takes a sphere."""
+    poisson, depth = 0.4, CONTACT**2 / RADIUS
+    scene = _rounded(folder, cells, poisson, depth, lambda r: r**2 / (2 * RADIUS))
+    return scene, hertz(RADIUS, depth, poisson)
 
 
 def rigid_cone(folder, cells):
     poisson, slope = 0.4, math.radians(5)
     depth = math.pi / 2 * CONTACT * math.tan(slope)
-    block = graded_block(folder, fine_within(cells), (0, (1.1 + 2 / cells) * CONTACT))
-    punch = indenter(block, (1.1 + 1 / cells) * CONTACT, lambda r: r * math.tan(slope))
-    return pressed_by(block, poisson, punch, depth), cone(slope, depth, poisson)
+    return _rounded(folder, cells, poisson, depth, lambda r: r * math.tan(slope)), cone(slope, depth, poisson)
 
 
 def smooth_punch(folder, cells):
@@ -160,8 +174,9 @@ def _held_at_ends(mesh, axis, length, direction, depth, poisson=0.0):
                         mesh.groups["end"], direction, depth)
 
 
-def contracting_bar(poisson=0.3, cells=4):
-    """Fourteen widths long, its ends held as they are: what they do falls by some 1/20 a width."""
-    width, length = 10e-3, 140e-3
-    mesh = meshes.grid([0, 0, 0], [width, width, length], [cells, cells, 14 * cells])
-    return _held_at_ends(mesh, 2, length, -DOWN, 1e-3, poisson)
+def contracting_bar(poisson=0.3, cells=2):
+    """Fourteen widths long, its ends held as they are: what they do falls by some 1/20 a width. Its tetrahedra are
+    mirrored on both middle planes: else the ends would bend it a little, and that does not die out."""
+    half, length = 5e-3, 140e-3
+    quarter = meshes.grid([0, 0, 0], [half, half, length], [cells, cells, 28 * cells])
+    return _held_at_ends(meshes.mirrored(meshes.mirrored(quarter, 0), 1), 2, length, -DOWN, 1e-3, poisson)
