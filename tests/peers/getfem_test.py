@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """palpate against GetFEM on the same meshes, elements and contact conditions: docs/peers.md.
 
-  getfem_test.py PALPATE    exit code 1 where they differ, 77 where GetFEM is not installed
+  getfem_test.py PALPATE    prints the table, too; exit code 1 where they differ, 77 where GetFEM is not installed
 """
 import sys
 import tempfile

@@ -9,6 +9,7 @@ import scenes
 MODULUS = 1e6  # E of all that gives way [Pa]
 STIFF = 1e6  # times as stiff is what counts as rigid [-]
 CONTACT = 1e-3  # a: radius of the contact [m]
+RADIUS = 10 * CONTACT  # of spheres [m]
 BLOCK = 400 * CONTACT  # half the width, and the height, of the block that stands for a half-space [m]
 DOWN = np.array([0.0, 0.0, -1.0])
 
@@ -103,9 +104,6 @@ def pressed_by(block, poisson, punch, depth):
 
 # Each: @param cells  how fine: cells across the thickness, or as fine_within and fine_at_rim have it
 # @return scene, and its force by the formula [N]
-
-RADIUS = 10 * CONTACT  # of spheres [m]
-
 
 def fingertip(folder, cells):
     poisson, depth = 0.4, CONTACT**2 / RADIUS
