@@ -173,8 +173,8 @@ def _held_at_ends(mesh, axis, length, direction, depth, poisson=0.0):
 
 
 def contracting_bar(poisson=0.3, cells=2):
-    """Fourteen widths long, its ends held as they are: what they do falls by some 1/20 a width. Its tetrahedra are
-    mirrored on both middle planes: else the ends would bend it a little, and that does not die out."""
+    """Fourteen widths long, its ends held as they are: what they do to it dies out towards its middle. Its tetrahedra
+    are mirrored on both middle planes: else the ends would bend it a little, and that does not die out."""
     half, length = 5e-3, 140e-3
     quarter = meshes.grid([0, 0, 0], [half, half, length], [cells, cells, 28 * cells])
     return _held_at_ends(meshes.mirrored(meshes.mirrored(quarter, 0), 1), 2, length, -DOWN, 1e-3, poisson)
