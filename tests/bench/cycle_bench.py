@@ -30,7 +30,11 @@ FAULTS = ("slower", "missing", "allocates")
 def read_run(text):
     """The head and the rows of one run."""
     head, *lines = text.splitlines()
-    return head.removeprefix("# "), list(csv.DictReader(lines))
+    rows = list(csv.DictReader(lines))
+    for line, row in zip(lines[1:], rows):
+        if None in row or None in row.values():
+            raise ValueError(f"not as many cells as columns: {line}")
+    return head.removeprefix("# "), rows
 
 
 def collect(runs, column):

@@ -65,6 +65,13 @@ class Compare(unittest.TestCase):
                 verdict((bad, bad, bad), (1.0, 1.0, 1.0))
 
 
+class Run(unittest.TestCase):
+    def test_a_line_with_too_many_or_too_few_cells_is_refused(self):
+        for line in ("a,b,c", "a"):
+            with self.assertRaisesRegex(ValueError, "cells"):
+                cycle_bench.read_run(f"# 1.0; a machine\nrow,beside\n{line}")
+
+
 class Program(unittest.TestCase):
     PLAIN = ["none,the limit,2,2,2,1,0,0", "exact,none,10,10,10,10,40,0"]
 

@@ -74,7 +74,7 @@ std::vector<Family> families() {
     Family family{.law = law};
     for (const char* nodes : {"0191", "0410", "0799", "1565"})
       family.sizes.push_back(
-          {fmt::format("{}, {} nodes", law, nodes), "", fmt::format("sphere-on-cube-{}", nodes), model(law)});
+          {fmt::format("{} with {} nodes", law, nodes), "", fmt::format("sphere-on-cube-{}", nodes), model(law)});
     all.push_back(std::move(family));
   }
   return all;

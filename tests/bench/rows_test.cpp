@@ -71,6 +71,13 @@ TEST(BenchRows, ACounterpartIsAnEarlierRowOnTheSameScene) {
   }
 }
 
+// They are cells of CSV as they stand.
+TEST(BenchRows, NamesNeedNoQuotes) {
+  std::vector<Row> all = rows();
+  for (const Family& family : families()) all.insert(all.end(), family.sizes.begin(), family.sizes.end());
+  for (const Row& row : all) EXPECT_EQ(row.name.find_first_of(",\"\n"), std::string::npos) << row.name;
+}
+
 TEST(BenchRows, AFamilyIsOnePressOnFinerAndFinerMeshes) {
   for (const Family& family : families()) {
     ASSERT_GE(family.sizes.size(), 3u);
