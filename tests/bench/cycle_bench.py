@@ -23,7 +23,10 @@ import subprocess
 import sys
 
 RUNS = 7
-APART = 0.10  # the part by which ratios may move from one day to another, or with other work on the machine [-]
+# The part by which a ratio may move from one day to another, or with other work on the machine [-]. Two sets of runs of one
+# build, on two processors with 8 to 17 programs waiting, lay apart by 3 % at the most, and by 24 % beside the limit, whose
+# reading is of memory, which others read as well.
+APART, APART_FROM_LIMIT = 0.10, 0.30
 FAULTS = ("slower", "missing", "allocates")
 
 
@@ -56,7 +59,7 @@ def compare(now, then, apart):
     """What became of each figure: (key, verdict, figure now, figure then), in the order of `now`, the missing last.
 
     @param now, then  (median, least, greatest) of each figure
-    @param apart      a change of the median by no more than this part is none
+    @param apart      of a key: a change of the median by no more than this part is none
     """
     found = []
     for key, (middle, least, greatest) in now.items():
@@ -66,14 +69,18 @@ def compare(now, then, apart):
         was, was_least, was_greatest = then[key]
         if not all(map(math.isfinite, (middle, was))) or min(middle, was) <= 0.0:
             raise ValueError(f"{name_of(key)}: a figure must be greater than 0, found {middle} and {was}")
-        if least > was_greatest and middle > was * (1.0 + apart):
+        if least > was_greatest and middle > was * (1.0 + apart(key)):
             verdict = "slower"
-        elif greatest < was_least and was > middle * (1.0 + apart):
+        elif greatest < was_least and was > middle * (1.0 + apart(key)):
             verdict = "faster"
         else:
             verdict = "same"
         found.append((key, verdict, now[key], then[key]))
     return found + [(key, "missing", None, then[key]) for key in then if key not in now]
+
+
+def apart_on_another_day(key):
+    return APART_FROM_LIMIT if key[1] == "the limit" else APART
 
 
 def allocating(runs):
@@ -167,7 +174,7 @@ def main():
     if asked.against:
         print("against " + other[0][0])
         then = figures(collect(other[0][1], "microseconds"))
-        return report(compare(figures(collect(runs, "microseconds")), then, 0.0), allocating(runs), " [us]")
+        return report(compare(figures(collect(runs, "microseconds")), then, lambda _: 0.0), allocating(runs), " [us]")
     ratios = collect(runs, "ratio")
     if asked.record:
         write_baseline(asked.record, head, ratios)
@@ -177,7 +184,7 @@ def main():
     print("baseline " + baseline_head)
     if machine_of(baseline_head) != machine_of(head):
         print("The baseline is another machine's: ratios follow caches and clocks, too. Record it anew for a verdict here.")
-    return report(compare(figures(ratios), then, APART), allocating(runs), "")
+    return report(compare(figures(ratios), then, apart_on_another_day), allocating(runs), "")
 
 
 if __name__ == "__main__":

@@ -15,7 +15,7 @@ KEY = ("exact", "none")
 
 
 def verdict(now, then, apart=0.0):
-    [(_, found, _, _)] = cycle_bench.compare({KEY: now}, {KEY: then}, apart)
+    [(_, found, _, _)] = cycle_bench.compare({KEY: now}, {KEY: then}, lambda _: apart)
     return found
 
 
@@ -56,7 +56,8 @@ class Compare(unittest.TestCase):
 
     def test_missing_and_new_rows_are_told(self):
         one = (1.0, 1.0, 1.0)
-        found = cycle_bench.compare({("a", ""): one, ("b", ""): one}, {("b", ""): one, ("c", ""): one}, 0.0)
+        found = cycle_bench.compare({("a", ""): one, ("b", ""): one}, {("b", ""): one, ("c", ""): one},
+                                    lambda _: 0.0)
         self.assertEqual(["new", "same", "missing"], [what for _, what, _, _ in found])
 
     def test_what_is_no_time_is_refused(self):
