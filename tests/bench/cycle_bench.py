@@ -11,7 +11,7 @@ Exit code 1: something is slower, takes from the heap in a cycle, or is measured
 
 A figure is the median of several runs of the program; its noise reaches from the least to the greatest of them. Slower
 means beyond noise: every run now is above every run then. Where nothing has changed, 7 runs lie above 7 others once in
-3432 comparisons (14 over 7), so that of some 35 rows one cries wolf in one comparison of 100. The two sets of runs of
+3432 comparisons (14 over 7), so that of 32 rows one cries wolf in one comparison of 100. The two sets of runs of
 --against take turns; a baseline is of another day, so a change must be larger than APART as well.
 """
 import argparse

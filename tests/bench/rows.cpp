@@ -73,8 +73,8 @@ std::vector<Family> families() {
   for (const char* law : {"none", "sibille", "kuroda", "exact"}) {
     Family family{.law = law};
     for (const char* nodes : {"0191", "0410", "0799", "1565"})
-      family.sizes.push_back(
-          {fmt::format("{} with {} nodes", law, nodes), "", fmt::format("sphere-on-cube-{}", nodes), model(law)});
+      family.sizes.push_back({fmt::format("{} with {} nodes", law, nodes), "",
+                              fmt::format("sphere-on-cube-{}", nodes), model(law)});
     all.push_back(std::move(family));
   }
   return all;
