@@ -1,118 +1,101 @@
-// The haptic cycle on Table 1's scene, bodies touching, and the limit that no cycle can beat: reading the
-// compliance of the final contact set once. For percentiles see `palpate cost`.
-#include <benchmark/benchmark.h>
+// The haptic cycle with every law, effect and kind of probe, each beside its plain counterpart, beside the reading of the
+// final contact set's compliance (the limit of `palpate cost`), and over a family of sizes. All take turns, so that what
+// else the machine does falls on all alike, and what is counted is the processor's time, not the clock's. For percentiles
+// of the clock's time see `palpate cost`.
+//   cycle_bench [ROUNDS]   writes CSV; cycle_bench.py runs it, shows it and compares it
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
+#include <cmath>
+#include <exception>
+#include <map>
 #include <string>
-#include <string_view>
-#include <vector>
 
-#include "sim/compile/compile.hpp"
-#include "sim/compliance/cache.hpp"
-#include "sim/contact/laws.hpp"
-#include "sim/cost/cycle_cost.hpp"
-#include "sim/cycle/press.hpp"
-#include "sim/pairing/find_pairs.hpp"
+#include "base/machine/machine.hpp"
+#include "tests/bench/runner.hpp"
 
-namespace palpate::sim {
+namespace palpate::bench {
 namespace {
 
-constexpr double kDepth = 5e-3;         // [m], as the paper presses
-constexpr double kFirstDepth = 2.5e-3;  // from here on the bodies touch; checked by compiled_scene()
-constexpr int kPoses = 32;
+/// The middle half of a sample, and its middle.
+struct Quartiles {
+  double low = 0.0, median = 0.0, high = 0.0;
+};
 
-std::vector<std::vector<ProbeDisplacement>> poses(const Model& model) {
-  std::vector<std::vector<ProbeDisplacement>> all;
-  for (int i = 0; i < kPoses; ++i)
-    all.push_back(displaced_by(model, kFirstDepth + (kDepth - kFirstDepth) * i / (kPoses - 1)));
-  for (int i = kPoses - 2; i > 0; --i) all.push_back(all[i]);  // and back
-  return all;
+Quartiles quartiles_of(std::vector<double> sample) {
+  std::ranges::sort(sample);
+  const auto at = [&](double share) {
+    return sample[static_cast<std::size_t>(std::lround(share * static_cast<double>(sample.size() - 1)))];
+  };
+  return {at(0.25), at(0.5), at(0.75)};
 }
 
-const Model& table1() {
-  static const Model model = [] {
-    ComplianceCache cache("");
-    return compile(
-        load_scene(std::filesystem::path(PALPATE_SOURCE_DIR) / "data/scenes/rectal-palpation.toml"), cache);
-  }();
-  return model;
+std::vector<double> over(const std::vector<double>& times, const std::vector<double>& plain) {
+  std::vector<double> ratios;
+  for (std::size_t round = 0; round < times.size(); ++round) ratios.push_back(times[round] / plain[round]);
+  return ratios;
 }
 
-Model under(const char* law) {
-  Model model = table1();
-  model.law = &contact_law(law);
-  return model;
-}
-
-int active_pairs(const CycleResult& result) {
-  int active = 0;
-  for (const PairSummary& pair : result.pairs) active += pair.active;
-  return active;
-}
-
-/// The bodies moved by the probes alone.
-FreeMotion free_motion_at(const Model& model, ProbeDisplacements probes) {
-  const Model alone = without_contact(model);
-  Simulation simulation(alone);
-  simulation.step(probes, kCyclePeriod);
-  return simulation.free_state().motion;
-}
-
-void whole_cycle(benchmark::State& state, const char* law) {
-  const Model model = under(law);
-  const auto all = poses(model);
-  Simulation simulation(model);
-  if (std::string_view(law) != "none" && active_pairs(simulation.step(all.front(), kCyclePeriod)) == 0) {
-    state.SkipWithError("the bodies do not touch at the shallowest pose");
-    return;
+/// The factor of the time for twice the nodes, in each round: 2 to the slope of log time over log nodes.
+std::vector<double> growth(const std::vector<const Runner*>& sizes) {
+  std::vector<double> factors;
+  for (std::size_t round = 0; round < sizes.front()->cycles.size(); ++round) {
+    double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
+    for (const Runner* size : sizes) {
+      const double nodes = std::log(size->nodes()), time = std::log(size->cycles[round]);
+      x += nodes, y += time, xx += nodes * nodes, xy += nodes * time;
+    }
+    const auto n = static_cast<double>(sizes.size());
+    factors.push_back(std::exp2((n * xy - x * y) / (n * xx - x * x)));
   }
-  std::size_t at = 0;
-  int active = 0;
-  for (auto _ : state) {
-    const CycleResult result = simulation.step(all[at], kCyclePeriod);
-    benchmark::DoNotOptimize(result.probe_forces.data());
-    active = std::max(active, active_pairs(result));
-    at = at + 1 == all.size() ? 0 : at + 1;
-  }
-  state.counters["pairs"] = active;
+  return factors;
 }
-BENCHMARK_CAPTURE(whole_cycle, none, "none")->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(whole_cycle, sibille, "sibille")->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(whole_cycle, kuroda, "kuroda")->Unit(benchmark::kMicrosecond);
 
-void detection(benchmark::State& state) {
-  const Model& model = table1();
-  const FreeMotion motion = free_motion_at(model, displaced_by(model, kDepth));
-  Placement placement = rest_placement(model);
-  Pairs pairs;
-  pairs.reserve(most_pairs(model));
-  for (auto _ : state) {
-    pairs.clear();
-    place(model, motion, placement);
-    find_pairs(model, motion, placement, pairs);
-    benchmark::DoNotOptimize(pairs.data());
-  }
-  state.counters["pairs"] = static_cast<double>(pairs.size());
+void print(const Runner& runner, const std::string& beside, const std::vector<double>& ratios) {
+  const Quartiles ratio = quartiles_of(ratios);
+  fmt::print("{},{},{:.6g},{:.6g},{:.6g},{:.6g},{},{}\n", runner.row().name, beside, ratio.median, ratio.low,
+             ratio.high, quartiles_of(runner.cycles).median, runner.contacts(), runner.allocations());
 }
-BENCHMARK(detection)->Unit(benchmark::kMicrosecond);
 
-void limit_compliance_read_once(benchmark::State& state, const char* law) {
-  const Model model = under(law);
-  const std::vector<ProbeDisplacement> pose = displaced_by(model, kDepth);
-  Simulation simulation(model);
-  simulation.step(pose, kCyclePeriod);
-  const ContactSet set = final_contact_set(model, pose, simulation.loads());
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(read_once(set));
-    benchmark::ClobberMemory();
+void run(int rounds) {
+  std::vector<std::unique_ptr<Runner>> runners;
+  std::map<std::string, const Runner*> by_name;
+  const auto add = [&](const Row& row) {
+    runners.push_back(std::make_unique<Runner>(row));
+    by_name[row.name] = runners.back().get();
+  };
+  for (const Row& row : rows()) add(row);
+  const std::size_t single = runners.size();
+  for (const Family& family : families())
+    for (const Row& size : family.sizes) add(size);
+
+  for (int round = 0; round < rounds; ++round)
+    for (const auto& runner : runners) runner->take_turn();
+
+  fmt::print("# {}; {}\nrow,beside,ratio,low,high,microseconds,contacts,allocations\n", PALPATE_VERSION,
+             base::describe_machine());
+  for (std::size_t i = 0; i < single; ++i) {
+    const Runner& runner = *runners[i];
+    if (!runner.row().plain.empty())
+      print(runner, runner.row().plain, over(runner.cycles, by_name.at(runner.row().plain)->cycles));
+    print(runner, "the limit", over(runner.ends, runner.reads));
   }
-  state.counters["kB"] = 1e-3 * static_cast<double>(set.bytes);
+  for (const Family& family : families()) {
+    std::vector<const Runner*> sizes;
+    for (const Row& size : family.sizes) sizes.push_back(by_name.at(size.name));
+    print(*sizes.back(), "half the nodes", growth(sizes));
+  }
 }
-BENCHMARK_CAPTURE(limit_compliance_read_once, sibille, "sibille")->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(limit_compliance_read_once, kuroda, "kuroda")->Unit(benchmark::kMicrosecond);
 
 }  // namespace
-}  // namespace palpate::sim
+}  // namespace palpate::bench
 
-BENCHMARK_MAIN();
+int main(int count, char** arguments) {
+  try {
+    palpate::bench::run(count > 1 ? std::max(1, std::stoi(arguments[1])) : 31);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "Error: {}\n", error.what());
+    return 1;
+  }
+  return 0;
+}

@@ -101,13 +101,26 @@ struct Called {
   Vec3 way;  // of the first probe, to and fro
 };
 
-Model carried(const char* contact) {
+/// @param reach  of the region that carries the upper box; empty: what faces what stays as at rest
+Model carried(const char* contact, const char* reach = "20 mm") {
   return test::compile_scene(test::write_region_boxes(
       test::without_fixed(test::body_table("upper", "z_min", "z_min")),
       test::body_table("lower", "z_min", "z_max"),
       std::string("[contact]\ntouch = [[\"upper\", \"lower\"]]\nmodel = \"exact\"\n") + contact,
-      test::region_table("finger", "upper", "z_max", "20 mm")));
+      test::region_table("finger", "upper", "z_max", reach)));
 }
+
+/// The two boxes under `exact`, pressed by a probe of this kind.
+Model two_boxes(const char* probe, std::vector<Override> contact = {}) {
+  contact.push_back({"contact.model", "exact"});
+  return test::compile_scene(test::write_two_boxes({.probe = probe}), contact);
+}
+
+constexpr const char* kPoint = "kind = \"point\"";
+constexpr const char* kPad = "kind = \"pad\"\nradius = \"6 mm\"";
+constexpr const char* kSlidingPad = "kind = \"pad\"\nradius = \"6 mm\"\nreach = \"4 mm\"";
+constexpr const char* kFingertip = "kind = \"fingertip\"\nradius = \"7 mm\"\nreach = \"4 mm\"";
+const Override kFriction{"contact.friction", "0.3"}, kTolerance{"contact.tolerance", "5 %"};
 
 class AllocationOfEffect : public testing::TestWithParam<Called> {};
 
@@ -135,35 +148,21 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Called{"Carried", [] { return carried(""); }, Vec3(4e-3, 2e-3, -0.8e-3)},
         Called{"CarriedWithFriction", [] { return carried("friction = 0.3\n"); }, Vec3(4e-3, 2e-3, -0.8e-3)},
-        Called{"Sliding",
-               [] {
-                 return test::compile_scene(
-                     test::write_two_boxes({.probe = "kind = \"pad\"\nradius = \"6 mm\"\nreach = \"4 mm\""}),
-                     std::vector<Override>{{"contact.model", "exact"}});
-               },
+        Called{"CarriedWithinTolerance", [] { return carried("tolerance = \"5 %\"\n"); },
+               Vec3(4e-3, 2e-3, -0.8e-3)},
+        Called{"RegionWithoutReach", [] { return carried("", ""); }, Vec3(0, 0, -1.5e-3)},
+        Called{"Pad", [] { return two_boxes(kPad); }, Vec3(0.3e-3, 0, -1.5e-3)},
+        Called{"Sliding", [] { return two_boxes(kSlidingPad); }, Vec3(3e-3, 1e-3, -1.5e-3)},
+        Called{"SlidingWithFriction", [] { return two_boxes(kSlidingPad, {kFriction}); },
                Vec3(3e-3, 1e-3, -1.5e-3)},
-        Called{"Fingertip",
-               [] {
-                 return test::compile_scene(
-                     test::write_two_boxes(
-                         {.probe = "kind = \"fingertip\"\nradius = \"7 mm\"\nreach = \"4 mm\""}),
-                     std::vector<Override>{{"contact.model", "exact"}});
-               },
+        Called{"SlidingWithinTolerance", [] { return two_boxes(kSlidingPad, {kTolerance}); },
+               Vec3(3e-3, 1e-3, -1.5e-3)},
+        Called{"Fingertip", [] { return two_boxes(kFingertip); }, Vec3(2e-3, 1e-3, -3e-3)},
+        Called{"FingertipWithinTolerance", [] { return two_boxes(kFingertip, {kTolerance}); },
                Vec3(2e-3, 1e-3, -3e-3)},
-        Called{"FrictionUnderAPoint",
-               [] {
-                 return test::compile_scene(
-                     test::write_two_boxes(),
-                     std::vector<Override>{{"contact.model", "exact"}, {"contact.friction", "0.3"}});
-               },
+        Called{"FrictionUnderAPoint", [] { return two_boxes(kPoint, {kFriction}); },
                Vec3(0.3e-3, 0, -1.5e-3)},
-        Called{"WithinTolerance",
-               [] {
-                 return test::compile_scene(
-                     test::write_two_boxes(),
-                     std::vector<Override>{{"contact.model", "exact"}, {"contact.tolerance", "5 %"}});
-               },
-               Vec3(0, 0, -1.5e-3)}),
+        Called{"WithinTolerance", [] { return two_boxes(kPoint, {kTolerance}); }, Vec3(0, 0, -1.5e-3)}),
     [](const auto& called) { return std::string(called.param.name); });
 
 }  // namespace
