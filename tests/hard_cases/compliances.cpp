@@ -1,4 +1,4 @@
-// 16, 17, 22: what is computed from the stiffness.
+// 16, 17, 19, 22: what is computed from the stiffness.
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <numeric>
@@ -66,6 +66,31 @@ Outcome compliance_spd(Jitter& jitter) {
       sim::condense(sim::stiffness(mesh, {&tissue, 1}), mesh.node_groups.at("z_min"), touch, {}).touch_touch;
   outcome.figure = (C - C.transpose()).cwiseAbs().maxCoeff() / C.cwiseAbs().maxCoeff();
   outcome.expect(C.llt().info() == Eigen::Success, "it is not positive definite");
+  return outcome;
+}
+
+Outcome single_precision(Jitter& jitter) {
+  const sim::Model full = compiled(two_boxes(jitter), "exact");
+  sim::Model rounded = full;
+  rounded.contact_precision = sim::Precision::Single;
+  sim::Simulation exact(full), single(rounded);
+  Outcome outcome{.limit = 1.0};
+  const auto closed = [](const sim::Simulation& simulation) {
+    const std::span<const int> rows =
+        static_cast<const sim::ExactScratch&>(*simulation.law_scratch()).solve.active();
+    std::vector<int> sorted(rows.begin(), rows.end());
+    std::ranges::sort(sorted);
+    return sorted;
+  };
+  for (int step = 1; step <= 40; ++step) {
+    const Vec3 there = jitter.of(Vec3(0.2e-3, -0.1e-3, -75e-6 * step));
+    const sim::CycleResult right = step_to(exact, there), felt = step_to(single, there);
+    const double error = (felt.probe_forces[0] - right.probe_forces[0]).norm();
+    const double bound = felt.solve.force_error_bound + right.solve.force_error_bound;
+    if (error > 0.0) outcome.figure = std::max(outcome.figure, error / bound);
+    outcome.expect(error <= 1e-6 * right.probe_forces[0].norm(), "the force differs by more than 1e-6");
+    outcome.expect(closed(exact) == closed(single), "other contacts are closed");
+  }
   return outcome;
 }
 

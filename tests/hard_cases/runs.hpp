@@ -22,6 +22,7 @@ Outcome few_fixed_nodes(Jitter& jitter);
 Outcome stiffness_ratio(Jitter& jitter);
 Outcome compliance_spd(Jitter& jitter);
 Outcome damaged_cache(Jitter& jitter);
+Outcome single_precision(Jitter& jitter);
 Outcome denormals(Jitter& jitter);
 Outcome replay(Jitter& jitter);
 Outcome big_sizes(Jitter& jitter);
