@@ -40,6 +40,20 @@ std::string examinees(const StudyReport& report) {
   return text;
 }
 
+std::string feedback(const StudyReport& report) {
+  const double time = report.design.feedback_s;
+  if (time <= 0) return "";
+  if (report.run_mode == "simulated")
+    return fmt::format(
+        " People are given feedback after each answer, for {} s; simulated examinees are not told, and do not "
+        "learn.",
+        number(time));
+  return fmt::format(
+      " Feedback was given: after each answer, once it was saved, the examinee was told for {} s whether it was "
+      "right, and which answer was.",
+      number(time));
+}
+
 std::string task(const StudyReport& report) {
   const StudyDesign& design = report.design;
   std::vector<std::string> cells;
@@ -56,7 +70,7 @@ std::string task(const StudyReport& report) {
     text += fmt::format(" Each examinee was to answer {}{}.", counted(each, "trial", "trials"),
                         cells.size() > 1 ? fmt::format(" for each of them, {} in all", all) : "");
   }
-  return text;
+  return text + feedback(report);
 }
 
 std::string exploration(const StudyReport& report) {

@@ -53,25 +53,28 @@ ordered_json plain_or_null(const std::optional<Value>& value) {
 ordered_json design_json(const StudyDesign& design) {
   ordered_json cells = ordered_json::array();
   for (const DesignCell& cell : design.cells) cells.push_back({{"name", cell.name}, {"levels", cell.levels}});
-  return {{"question", design.question},
-          {"task", design.task},
-          {"conditions", design.conditions},
-          {"correct_condition", design.correct_condition},
-          {"factors", design.factors},
-          {"cells", cells},
-          {"procedure", design.procedure},
-          {"trials_per_examinee_per_cell", design.trials_per_examinee_per_cell},
-          {"planned_examinees", design.planned_examinees},
-          {"cell_order", design.cell_order},
-          {"interval_order", design.interval_order},
-          {"primary", design.primary},
-          {"alpha", design.alpha},
-          {"side", design.side},
-          {"adjust", design.adjust},
-          {"between_models", design.between_models},
-          {"looks", design.looks},
-          {"spending", design.looks.empty() ? ordered_json(nullptr) : ordered_json(design.spending)},
-          {"display_during_interval", design.display_during_interval}};
+  ordered_json json = {
+      {"question", design.question},
+      {"task", design.task},
+      {"conditions", design.conditions},
+      {"correct_condition", design.correct_condition},
+      {"factors", design.factors},
+      {"cells", cells},
+      {"procedure", design.procedure},
+      {"trials_per_examinee_per_cell", design.trials_per_examinee_per_cell},
+      {"planned_examinees", design.planned_examinees},
+      {"cell_order", design.cell_order},
+      {"interval_order", design.interval_order},
+      {"primary", design.primary},
+      {"alpha", design.alpha},
+      {"side", design.side},
+      {"adjust", design.adjust},
+      {"between_models", design.between_models},
+      {"looks", design.looks},
+      {"spending", design.looks.empty() ? ordered_json(nullptr) : ordered_json(design.spending)},
+      {"display_during_interval", design.display_during_interval}};
+  if (design.feedback_s > 0) json["feedback_s"] = design.feedback_s;
+  return json;
 }
 
 ordered_json spread_json(const std::optional<BetaBinomial>& spread) {

@@ -39,6 +39,7 @@ struct StudyDesign {
   double min_depth_m = 0.0;
   double max_time_s = 0.0;
   std::string display_during_interval{};  // "hidden", "probe", "organs"
+  double feedback_s = 0.0;                // for how long it is told if an answer was right; 0: never
   std::string primary = "paired-comparison";
   double alpha = 0.05;
   std::string side = "greater";         // "greater", "less", "two-sided"

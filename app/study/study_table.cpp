@@ -38,6 +38,7 @@ analysis::StudyDesign design_of(const trials::Protocol& protocol) {
       .min_depth_m = protocol.exploration.min_depth,
       .max_time_s = protocol.exploration.max_time,
       .display_during_interval = std::string(trials::to_string(protocol.during_interval)),
+      .feedback_s = protocol.feedback ? trials::kFeedbackTime : 0.0,
       .primary = std::string(to_string(protocol.analysis.primary)),
       .alpha = protocol.analysis.alpha,
       .side = std::string(to_string(protocol.analysis.side)),

@@ -21,7 +21,8 @@ double d_prime(long correct, long trials) {
 constexpr trials::Task kTwoInterval{
     .name = "2IFC",
     .intervals = 2,
-    // Nobody is told whether an answer was right: whatever was answered before, the next one is a fair guess.
+    // Orders are independent coins, or nobody is told whether an answer was right: whatever came before, the
+    // next answer is a fair guess.
     .chance = 0.5,
     .choices = kChoices,
     .answer_is = "the number of an interval",

@@ -35,9 +35,10 @@ std::string order_in_words(const Protocol& protocol) {
         correct_condition(protocol), protocol.trials_per_examinee_per_cell, guess);
   return fmt::format(
       "Before each trial a fair coin decides which interval holds \"{}\"; flips are independent, so that "
-      "whoever feels nothing is right in {:.0f} % of the trials whatever rule is followed, and may be right "
+      "whoever feels nothing is right in {:.0f} % of the trials whatever rule is followed{}, and may be right "
       "or wrong many times in a row.",
-      correct_condition(protocol), guess);
+      correct_condition(protocol), guess,
+      protocol.feedback ? " and whatever is told of earlier answers" : "");
 }
 
 std::string course_in_words(const Protocol& protocol) {

@@ -6,11 +6,10 @@ import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
 
 import { Examinee, launchBrowser, Program } from "./driver.mjs";
+import { checkPlaces, checkWords, Look, sizes } from "./look.mjs";
 
 const protocol = join(dirname(fileURLToPath(import.meta.url)), "short.toml");
 const folder = mkdtempSync(join(tmpdir(), "palpate-layout-"));
-const sizes = [{ width: 1280, height: 800 }, { width: 900, height: 700 }, { width: 390, height: 844 }];
-const parts = ["#title", "#progress-bar", "#field", "#actions", "#actions button:first-child"];
 let browser;
 
 before(async () => { browser = await launchBrowser(); });
@@ -18,51 +17,6 @@ after(async () => {
   Program.endAll();
   await browser.close();
 });
-
-/** Where the parts of the page lie, and whether any word is cut off. A title is as wide and high as its words. */
-function measure(page) {
-  return page.evaluate((selectors) => {
-    const box = (selector) => {
-      const found = document.querySelector(selector);
-      if (!found) return null;
-      const { x, y, width, height } = found.getBoundingClientRect();
-      return selector === "#title" ? [x, y] : [x, y, width, height];
-    };
-    const words = document.getElementById("words");
-    const cut = [...document.querySelectorAll("#words, button")].some((e) =>
-      e.scrollHeight > e.clientHeight + 1 || e.scrollWidth > e.clientWidth + 1);
-    const lowest = Math.max(...[...words.children].map((e) => e.getBoundingClientRect().bottom));
-    const field = document.getElementById("field");
-    const shown = getComputedStyle(field).visibility === "visible";
-    const inColumn = words.getBoundingClientRect().right > field.getBoundingClientRect().left;
-    return {
-      boxes: Object.fromEntries(selectors.map((selector) => [selector, box(selector)])),
-      cut,
-      covered: shown && inColumn && lowest > field.getBoundingClientRect().top,
-      wide: document.documentElement.scrollWidth > document.documentElement.clientWidth,
-      below: document.querySelector("#actions").getBoundingClientRect().bottom > window.innerHeight,
-      text: document.body.innerText,
-    };
-  }, parts);
-}
-
-/** Looks at every screen in every size, and goes back to the first. */
-class Look {
-  seen = [];
-
-  constructor(page, examinee) {
-    this.page = page;
-    this.examinee = examinee;
-  }
-
-  async at(name) {
-    for (const size of [...sizes.slice(1), sizes[0]]) {
-      await this.page.setViewportSize(size);
-      this.seen.push({ name, width: size.width, ...await measure(this.page) });
-      await this.examinee.picture(`layout-${size.width}-${name}`);
-    }
-  }
-}
 
 /** The sitting from its first screen to its last; every kind of screen is looked at. */
 async function sit(page, examinee, look) {
@@ -112,24 +66,9 @@ test("title, progress, button and field keep their places over a whole sitting",
   const examinee = new Examinee(page);
   const look = new Look(page, examinee);
   await sit(page, examinee, look);
-  for (const { width } of sizes) {
-    const screens = look.seen.filter((screen) => screen.width === width);
-    assert.equal(screens.length, 11);
-    for (const part of parts) {
-      const first = screens.find((screen) => screen.boxes[part]);
-      for (const screen of screens.filter((other) => other.boxes[part]))
-        for (const [i, value] of screen.boxes[part].entries())
-          assert.ok(Math.abs(value - first.boxes[part][i]) <= 1,
-            `${width} pixels wide: ${part} lies at ${screen.boxes[part]} in ${screen.name}, at ${first.boxes[part]} in ${first.name}`);
-    }
-  }
-  for (const screen of look.seen) {
-    const where = `${screen.name}, ${screen.width} pixels wide`;
-    assert.ok(!screen.cut, `words are cut off: ${where}`);
-    assert.ok(!screen.covered, `words lie on the field: ${where}`);
-    assert.ok(!screen.wide, `wider than the window: ${where}`);
-    assert.ok(!screen.below, `the button lies below the window: ${where}`);
-  }
+  assert.equal(look.seen.length, 11 * sizes.length);
+  checkPlaces(look.seen);
+  checkWords(look.seen);
 });
 
 test("who skips the welcome knows what an interval is", async () => {

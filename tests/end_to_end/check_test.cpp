@@ -17,6 +17,7 @@ using nlohmann::json;
 using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
+using testing::Not;
 
 json printed(const std::vector<std::string>& arguments) {
   const Outcome outcome = run(arguments);
@@ -83,12 +84,46 @@ TEST(Check, TellsWhichLineCallsForAnEffectAndWhatItCosts) {
               HasSubstr("nothing calls for it: contact.model = \"none\"\n"));
 }
 
+/// A shipped protocol that can be read from anywhere.
+std::string text_of(const std::string& protocol) {
+  return std::regex_replace(trials::test::read(source_folder() + "/protocols/" + protocol),
+                            std::regex("\\.\\./data/scenes"), source_folder() + "/data/scenes");
+}
+
+// Two contact models are pressed, and what people are to go by is held against their forces.
+TEST(Check, TellsTheForcesOfTwoContactModels) {
+  const std::string protocol = source_folder() + "/protocols/feel-the-difference.toml";
+  const json check = printed({"check", protocol, "--format", "json"});
+  EXPECT_TRUE(check["feedback"]);
+  EXPECT_TRUE(check["warnings"].empty()) << check["warnings"];
+  ASSERT_EQ(check["stimuli"].size(), 2U);
+  for (const json& cell : check["stimuli"]) {
+    EXPECT_EQ(cell["conditions"], (json{"exact", "cheap"}));
+    EXPECT_LT(cell["forces"][0], cell["forces"][1]);
+    EXPECT_GT(cell["expected_correct"], 0.75);
+  }
+  EXPECT_THAT(run({"check", protocol}).out, HasSubstr("\n  feedback        after each answer, for 3 s: "));
+  EXPECT_THAT(run({"check", source_folder() + "/protocols/kuroda2003.toml"}).out, Not(HasSubstr("feedback")));
+}
+
+TEST(Check, WarnsOfAnAnswerThatTheForcesContradict) {
+  const trials::test::TemporaryFolder folder;
+  const std::string file = folder / "p.toml";
+  trials::test::write(file, std::regex_replace(text_of("feel-the-difference.toml"), std::regex("\"softest\""),
+                                               "\"stiffest\""));
+  const json check = printed({"check", file, "--format", "json"});
+  for (const json& cell : check["stimuli"]) EXPECT_LT(cell["expected_correct"], 0.25);
+  EXPECT_THAT(check["warnings"].get<std::vector<std::string>>(),
+              testing::Each(
+                  HasSubstr("the correct condition is not what is asked for, the stiffest: \"exact\" pushes "
+                            "back less than \"cheap\"")));
+}
+
 TEST(Check, WarnsOfAQuestionThatAsksForTheOther) {
   const trials::test::TemporaryFolder folder;
   const std::string file = folder / "p.toml";
-  std::string text = trials::test::read(source_folder() + "/protocols/kuroda2003.toml");
-  text = std::regex_replace(text, std::regex("\\.\\./data/scenes"), source_folder() + "/data/scenes");
-  trials::test::write(file, std::regex_replace(text, std::regex("feel harder"), "feel softer"));
+  trials::test::write(
+      file, std::regex_replace(text_of("kuroda2003.toml"), std::regex("feel harder"), "feel softer"));
   EXPECT_THAT(printed({"check", file, "--format", "json"})["warnings"].get<std::vector<std::string>>(),
               Contains(HasSubstr("seems to ask for the softest interval, and correct is \"hard\"")));
 }

@@ -76,6 +76,22 @@ TEST_F(ReportEndToEnd, NumbersSittingsAsTheExportsDo) {
   for (const json& session : shown.at("sessions")) EXPECT_EQ(session.at("session"), 1);
 }
 
+// A study that tells its examinees whether they were right goes the way of all others.
+TEST_F(ReportEndToEnd, AStudyWithFeedbackIsSimulatedReportedVerifiedAndExported) {
+  simulate("feel-the-difference.toml", 12);
+  const json shown = report();
+  EXPECT_EQ(shown.at("design").at("feedback_s"), 3.0);
+  for (const json& cell : shown.at("cells")) {
+    EXPECT_EQ(cell.at("trials"), 240);
+    EXPECT_GT(cell.at("correct"), 180);  // whoever goes by what differs is right
+  }
+  EXPECT_EQ(run({"verify", file("a.db")}).exit_code, 0);
+  for (const std::string kind : {"csv", "json", "psych-ds", "bids"})
+    EXPECT_EQ(run({"export", file("a.db"), "--as", kind, "--out", file(kind)}).exit_code, 0) << kind;
+  EXPECT_THAT(trials::test::read(folder_ / "psych-ds/README.md"),
+              HasSubstr("After each answer the examinee is told whether it was right."));
+}
+
 TEST_F(ReportEndToEnd, ATerminalGetsAScreenfulAndWhereTheRestIs) {
   simulate("kuroda2003.toml", 15);
   const Outcome all = run({"report", file("a.db")});

@@ -72,7 +72,7 @@ ordered_json sidecar_of(const Protocol& protocol, const SessionRow& session,
   const SessionFacts& facts = session.facts;
   ordered_json object = {
       {"TaskName", protocol.name},
-      {"TaskDescription", protocol.task->course_in_words(protocol)},
+      {"TaskDescription", describe_course(protocol)},
       {"Instructions", protocol.question},
       {"RunMode", to_string(facts.run_mode)},
       {"Device", plain_text(facts.device)},
@@ -223,8 +223,7 @@ class Writer {
         "file names the columns\n\n"
         "Each file has its columns described in the JSON file beside it. Missing values are `n/a`. Points in "
         "time are UTC. `sourcedata/` holds the protocol and the scene as they were run.\n",
-        protocol.name, describe_dataset(study_), protocol.task->course_in_words(protocol), protocol.question,
-        task_);
+        protocol.name, describe_dataset(study_), describe_course(protocol), protocol.question, task_);
     text += fmt::format("\n## Columns of the answers\n\n{}",
                         codebook_markdown(as_bids({.name = "trials", .columns = trial_columns(protocol)})));
     text +=

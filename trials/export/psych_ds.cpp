@@ -48,7 +48,7 @@ ordered_json description(const StudyFile& study, const ExportFacts& facts, const
                          {"identifier", row.uuid},
                          {"dateCreated", facts.exported_utc},
                          {"keywords", {"haptics", "psychophysics", "forced choice", row.protocol_name}},
-                         {"measurementTechnique", study.protocol().task->course_in_words(study.protocol())}};
+                         {"measurementTechnique", describe_course(study.protocol())}};
   ordered_json authors = ordered_json::array();
   for (const std::string& author : facts.authors) authors.push_back({{"@type", "Person"}, {"name", author}});
   if (!authors.empty()) object["author"] = authors;
@@ -61,8 +61,8 @@ std::string readme(const StudyFile& study, const std::vector<Table>& tables, con
       "# {}\n\n{}\n\n{}\nThe question: {}\n\n"
       "A Psych-DS data set, written by palpate. `materials/` holds the protocol and the scene as they were "
       "run. Missing values are `n/a`. Points in time are UTC.\n",
-      study.study().protocol_name, describe_dataset(study),
-      study.protocol().task->course_in_words(study.protocol()), study.protocol().question);
+      study.study().protocol_name, describe_dataset(study), describe_course(study.protocol()),
+      study.protocol().question);
   for (const Table& table : tables)
     text += fmt::format("\n## data/study-{}_description-{}_data.csv\n\n{}", study_label, table.name,
                         codebook_markdown(table));

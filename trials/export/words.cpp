@@ -45,6 +45,11 @@ std::string label_of(std::string_view name) {
   return label;
 }
 
+std::string describe_course(const Protocol& protocol) {
+  return protocol.task->course_in_words(protocol) +
+         (protocol.feedback ? " After each answer the examinee is told whether it was right." : "");
+}
+
 std::string describe_dataset(const StudyFile& study) {
   const Protocol& protocol = study.protocol();
   std::set<std::string> examinees;

@@ -15,7 +15,8 @@ std::string label_of(std::string_view name);
 /// What the data are, in a few sentences: the study, its sittings by run mode, whether any of it counts.
 std::string describe_dataset(const StudyFile& study);
 
-/// What the examinee does, in a sentence or two.
+/// What the examinee does and is told, in a sentence or two.
+std::string describe_course(const Protocol& protocol);
 
 /// A table's codebook as Markdown.
 std::string codebook_markdown(const Table& table);

@@ -128,7 +128,18 @@ void read_task(TomlReader task, Protocol& protocol) {
   task.also(protocol.task->keys);
   protocol.task->read(task, protocol);
   if (task.has("answer")) protocol.answer = task.word("answer", kAnswerWords);
+  protocol.feedback = task.boolean("feedback");
   task.refuse_unknown();
+}
+
+/// Who is told which answers were right knows which orders have come; of balanced ones, which are left.
+void check_feedback(const TomlReader& order, const Protocol& protocol) {
+  if (!protocol.feedback || protocol.interval_order == IntervalOrder::Coin) return;
+  order.refuse(
+      "interval",
+      "found \"balanced\" with task.feedback = true: who is told which answers were right can reckon "
+      "which orders are left, and is right more often than chance without feeling anything; accepted: "
+      "\"coin\", or no feedback");
 }
 
 void read_procedure_and_order(TomlReader procedure, TomlReader order, Protocol& protocol) {
@@ -140,6 +151,7 @@ void read_procedure_and_order(TomlReader procedure, TomlReader order, Protocol& 
   protocol.cell_order = order.word("cells", kCellOrderWords);
   order.also(protocol.task->order_keys);
   protocol.task->read_order(order, protocol);
+  check_feedback(order, protocol);
   order.refuse_unknown();
 }
 

@@ -47,7 +47,8 @@ int trials_per_session(const Protocol& protocol) {
 
 int minutes_of(const Protocol& protocol) {
   const double interval = std::min(protocol.exploration.max_time, 8.0) + 2.0;
-  const double question = protocol.task->intervals * interval + 5.0;
+  const double question =
+      protocol.task->intervals * interval + 5.0 + (protocol.feedback ? kFeedbackTime : 0.0);
   return static_cast<int>(std::ceil(trials_per_session(protocol) * question / 60.0));
 }
 

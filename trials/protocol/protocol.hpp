@@ -105,6 +105,10 @@ inline constexpr base::EnumWords<Adjust, 4> kAdjustWords{
      {Adjust::BenjaminiHochberg, "benjamini-hochberg",
       "at most alpha of the rejections are expected to be false"}}};
 
+/// How long the page says whether an answer was right, the same for every answer [s]: about what a screen reader
+/// takes for its nine words (175 a minute where eSpeak NG is not told otherwise; its manual, option -s).
+inline constexpr double kFeedbackTime = 3.0;
+
 /// What an examinee must do in an interval before it counts.
 struct Exploration {
   int least_presses = 1;
@@ -144,6 +148,7 @@ struct Protocol {
   /// What the question asks for: as the file says, else as the conditions tell. Nothing where neither does: a
   /// person can be asked, a simulated one would not know what to answer.
   std::optional<Answer> answer{};
+  bool feedback = false;  // whether the examinee is told if an answer was right, once it is saved
   const Procedure* procedure = nullptr;
   int trials_per_examinee_per_cell = 0;
   CellOrder cell_order = CellOrder::Shuffled;
@@ -160,8 +165,8 @@ struct Protocol {
 /// Trials in one sitting: cells times trials per cell.
 int trials_per_session(const Protocol& protocol);
 
-/// About how long the questions take an examinee: the way into an interval, eight seconds or less within, and
-/// an answer [min].
+/// About how long the questions take an examinee: the way into an interval, eight seconds or less within, an
+/// answer, and its feedback where there is any [min].
 int minutes_of(const Protocol& protocol);
 
 /// Index into Protocol::stimuli.

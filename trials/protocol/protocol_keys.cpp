@@ -13,9 +13,9 @@ using base::Key;
 constexpr double kMostExaminees = 100000;
 constexpr double kLeastTime = 0.5;  // of an interval [s]
 
-constexpr std::array<std::string_view, 14> kLaterKeys{
-    "level",   "levels", "trials_per_level", "practice", "language",    "participants", "instructions",
-    "consent", "tracks", "confidence",       "feedback", "force_scale", "device",       "questionnaire"};
+constexpr std::array<std::string_view, 13> kLaterKeys{
+    "level",   "levels", "trials_per_level", "practice",    "language", "participants", "instructions",
+    "consent", "tracks", "confidence",       "force_scale", "device",   "questionnaire"};
 constexpr std::array<std::string_view, 30> kLaterProcedureKeys{
     "start",    "steps",    "step_type",  "up",      "down",        "initial_one_up_one_down",
     "min",      "max",      "stop",       "step_up", "step_down",   "first_step",
@@ -107,6 +107,13 @@ constexpr std::array kTaskKeys{
         .meaning =
             "What the question asks for. Simulated examinees answer it; it must be what makes the correct "
             "answer correct."},
+    Key{.name = "feedback",
+        .takes = base::kBoolean,
+        .example = "true",
+        .fallback = "false",
+        .meaning =
+            "Whether the examinee is told if an answer was right, once it is saved and before the next question. "
+            "Only with `interval = \"coin\"`: who is told can reckon which of balanced orders are left."},
 };
 
 constexpr std::array kProcedureKeys{

@@ -89,6 +89,10 @@ void print_text(const ProtocolCheck& check) {
   fmt::print("  question        {}\n", check.protocol.question);
   const trials::Task& task = *check.protocol.task;
   fmt::print("  task            {}, {}\n", task.name, task.question_in_words(check.protocol));
+  if (check.protocol.feedback)
+    fmt::print(
+        "  feedback        after each answer, for {:g} s: whether it was right, and which answer was\n",
+        trials::kFeedbackTime);
   fmt::print("  cells           {}\n",
              fmt::join(plan.cells, plan.cells.front().find(',') == std::string::npos ? ", " : "; "));
   fmt::print("  trials          {} an examinee, {} planned: {} in each cell\n", plan.trials_per_session,
@@ -129,6 +133,7 @@ ordered_json to_json(const ProtocolCheck& check) {
           {"cells", check.plan.cells},
           {"order", check.plan.order},
           {"best_guess", check.plan.best_guess},
+          {"feedback", check.protocol.feedback},
           {"primary", to_string(check.protocol.analysis.primary)},
           {"alpha", check.protocol.analysis.alpha},
           {"side", to_string(check.protocol.analysis.side)},

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/report/primary_power.hpp"
+#include "analysis/words/words.hpp"
 #include "app/study/simulation.hpp"
 #include "app/study/study_table.hpp"
 #include "sim/cycle/press.hpp"
@@ -36,16 +37,26 @@ std::vector<double> forces_of(const sim::Model& model) {
 }
 
 /// Share of 2IFC answers that are correct where two stiffnesses differ by so much, of people without bias.
-double share_correct(double difference, const trials::ObserverParameters& people) {
+/// @param misled  the other one of the two is what they are asked for
+double share_correct(double difference, bool misled, const trials::ObserverParameters& people) {
   const double deviation = trials::deviation_of_difference({.weber_fraction = people.weber_fraction.mean});
-  const double felt = cdf(boost::math::normal(), std::log1p(difference) / deviation);
+  const double felt = cdf(boost::math::normal(), (misled ? -1.0 : 1.0) * std::log1p(difference) / deviation);
   return people.lapse_rate * 0.5 + (1.0 - people.lapse_rate) * felt;
+}
+
+/// Whether the correct one of two conditions pushes back more where the softest is asked for, or less where the
+/// stiffest is. Of conditions that differ in more than a stiffness, only forces tell.
+bool misleads(const trials::Protocol& protocol, const std::vector<double>& forces) {
+  const bool first = protocol.presented.front() == protocol.correct;
+  const double correct = first ? forces[0] : forces[1], other = first ? forces[1] : forces[0];
+  return *protocol.answer == trials::Answer::Stiffest ? correct < other : correct > other;
 }
 
 void add_expectation(const trials::Protocol& protocol, const trials::ObserverParameters& people,
                      StimulusCheck& check) {
   if (!protocol.answer || protocol.presented.size() != 2 || protocol.task->intervals != 2) return;
-  check.expected_correct = share_correct(check.difference, people);
+  check.answer_misleads = misleads(protocol, check.forces);
+  check.expected_correct = share_correct(check.difference, check.answer_misleads, people);
   check.power = analysis::primary_power(design_of(protocol), *check.expected_correct).power;
 }
 
@@ -116,6 +127,15 @@ std::vector<std::string> stimulus_warnings(const trials::Protocol& protocol,
       warnings.push_back(fmt::format(
           "in cell {} nobody can tell {} apart: {:.1f} % of force between them, and fingers tell {:.0f} %",
           cell.cell, fmt::join(cell.conditions, " and "), 100 * cell.difference, 100 * kForceThreshold));
+    else if (cell.answer_misleads)
+      warnings.push_back(fmt::format(
+          "in cell {} the correct condition is not what is asked for, the {}: \"{}\" pushes back {} than \"{}\"; "
+          "whoever goes by that is right in {:.0f} % of the trials",
+          cell.cell, base::word_of(trials::kAnswerWords, *protocol.answer),
+          protocol.conditions[protocol.correct].name,
+          *protocol.answer == trials::Answer::Stiffest ? "less" : "more",
+          cell.conditions[protocol.presented.front() == protocol.correct ? 1 : 0],
+          100 * *cell.expected_correct));
     else if (cell.power && *cell.power < kEnoughPower)
       warnings.push_back(fmt::format(
           "in cell {} people as protocols/observers/default.toml has them are right in {:.0f} % of the trials, "

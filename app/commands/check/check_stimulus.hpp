@@ -18,6 +18,7 @@ struct StimulusCheck {
   double depth = 0.0;                        // where they differ most [m]
   std::vector<double> forces{};              // of each there, against the press [N]
   double difference = 0.0;                   // of the largest from the smallest there, of the smaller one [-]
+  bool answer_misleads = false;              // the wrong condition is what the question asks for
   std::optional<double> expected_correct{};  // of simulated people; nothing where the answer is not known
   std::optional<double> power{};             // of the primary test, were they to answer so
 };

@@ -68,6 +68,20 @@ TEST(TextReport, IsAsItWasReviewed) {
   EXPECT_EQ(text, expected.str());
 }
 
+// Without feedback nothing is said of it, in no format.
+TEST(Reports, TellOfFeedbackWhereItWasGiven) {
+  StudyTable table = test::study_table(test::like_the_paper());
+  const StudyReport without = analyse(table);
+  EXPECT_THAT(html_report(without) + text_report(without) + json_report(without).dump(),
+              Not(HasSubstr("eedback")));
+  table.design.feedback_s = 3.0;
+  const StudyReport with = analyse(table);
+  EXPECT_THAT(text_report(with), HasSubstr("Feedback was given: after each answer"));
+  EXPECT_EQ(json_report(with).at("design").at("feedback_s"), 3.0);
+  for (ReportedSession& session : table.sessions) session.run_mode = "simulated";
+  EXPECT_THAT(text_report(analyse(table)), HasSubstr("simulated examinees are not told"));
+}
+
 // What a terminal gets by itself.
 TEST(TextReport, InShortIsAScreenful) {
   for (const StudyReport& report : reports_of_all_kinds()) {

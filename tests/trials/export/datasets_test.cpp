@@ -7,6 +7,7 @@
 
 #include "tests/trials/export/exported_study.hpp"
 #include "tests/trials/support/raw_sql.hpp"
+#include "trials/export/words.hpp"
 
 namespace palpate::trials {
 namespace {
@@ -74,6 +75,16 @@ TEST_F(Datasets, SayWhenNothingInThemIsAResult) {
   export_bids(simulated, facts_, folder_ / "out");
   EXPECT_THAT(test::read(folder_ / "out/dataset_description.json"), HasSubstr("NO RESULT OF A STUDY"));
   EXPECT_THAT(test::read(folder_ / "out/participants.tsv"), HasSubstr("sub-S1\tS1\t1\tsimulated\n"));
+}
+
+// No column holds it: it is the same for every answer.
+TEST(CourseInWords, TellsOfFeedback) {
+  Protocol protocol = test::small_protocol();
+  const std::string plain = describe_course(protocol);
+  EXPECT_EQ(plain, protocol.task->course_in_words(protocol));
+  protocol.feedback = true;
+  EXPECT_EQ(describe_course(protocol),
+            plain + " After each answer the examinee is told whether it was right.");
 }
 
 TEST_F(Datasets, KeepAwkwardTextReadable) {

@@ -165,6 +165,30 @@ TEST(Protocol, TheOrderAndItsTestMustFit) {
               AllOf(HasSubstr("order.interval"), HasSubstr("5 trials of a cell cannot be halved")));
 }
 
+TEST(Protocol, FeedbackIsGivenOnlyWhereItIsAskedFor) {
+  const auto with_feedback = [](std::string_view value) {
+    return test::with(test::shipped_text(), "correct = \"hard\"",
+                      "correct = \"hard\"\nfeedback = " + std::string(value));
+  };
+  EXPECT_FALSE(parse_protocol(test::shipped_text(), "p.toml").feedback);
+  EXPECT_FALSE(parse_protocol(with_feedback("false"), "p.toml").feedback);
+  const Protocol told = parse_protocol(with_feedback("true"), "p.toml");
+  EXPECT_TRUE(told.feedback);
+  EXPECT_GE(minutes_of(told), minutes_of(parse_protocol(test::shipped_text(), "p.toml")));
+  EXPECT_THAT(describe(told).order,
+              HasSubstr("whatever rule is followed and whatever is told of earlier answers"));
+  EXPECT_THAT(refusal_of(with_feedback("\"yes\"")), HasSubstr("task.feedback"));
+}
+
+// Who is told which answers were right knows how many of a balanced cell's orders are left (guessers_test).
+TEST(Protocol, FeedbackOnBalancedOrdersIsRefused) {
+  const std::string balanced = test::with(test::with(test::shipped_text(), "\"coin\"", "\"balanced\""),
+                                          "\"paired-comparison\"", "\"order-randomisation\"");
+  EXPECT_THAT(refusal_of(test::with(balanced, "correct = \"hard\"", "correct = \"hard\"\nfeedback = true")),
+              AllOf(StartsWith("p.toml:"), HasSubstr("order.interval: found \"balanced\" with task.feedback"),
+                    HasSubstr("accepted: \"coin\", or no feedback")));
+}
+
 TEST(Protocol, PlannedLooksAscendToThePlannedSample) {
   const auto with_looks = [](const std::string& looks) {
     return test::with(test::shipped_text(), "alpha          = 0.05", "alpha = 0.05\n" + looks);

@@ -61,23 +61,26 @@ nlohmann::ordered_json choices_json(std::span<const trials::Choice> choices) {
 }  // namespace
 
 std::string encode(const PhaseMessage& message) {
-  const nlohmann::ordered_json json = {{"type", "phase"},
-                                       {"id", message.id},
-                                       {"phase", message.phase},
-                                       {"interval", message.interval},
-                                       {"intervals", message.intervals},
-                                       {"number", message.number},
-                                       {"questions", message.questions},
-                                       {"minutes", message.minutes},
-                                       {"question", message.question},
-                                       {"run_mode", message.run_mode},
-                                       {"pseudo_haptic", message.pseudo_haptic},
-                                       {"picture", message.picture},
-                                       {"notice", message.notice},
-                                       {"presses", message.presses},
-                                       {"choices", choices_json(message.choices)},
-                                       {"hint", message.hint},
-                                       {"spoken_hint", message.spoken_hint}};
+  nlohmann::ordered_json json = {{"type", "phase"},
+                                 {"id", message.id},
+                                 {"phase", message.phase},
+                                 {"interval", message.interval},
+                                 {"intervals", message.intervals},
+                                 {"number", message.number},
+                                 {"questions", message.questions},
+                                 {"minutes", message.minutes},
+                                 {"question", message.question},
+                                 {"run_mode", message.run_mode},
+                                 {"pseudo_haptic", message.pseudo_haptic},
+                                 {"picture", message.picture},
+                                 {"notice", message.notice},
+                                 {"presses", message.presses},
+                                 {"choices", choices_json(message.choices)},
+                                 {"hint", message.hint},
+                                 {"spoken_hint", message.spoken_hint}};
+  if (message.gives_feedback) json["gives_feedback"] = true;
+  if (message.feedback)
+    json["feedback"] = {{"right", message.feedback->right}, {"answer", message.feedback->answer}};
   return json.dump();
 }
 

@@ -16,11 +16,18 @@
 
 namespace palpate::app {
 
-/// What is to be shown. Nothing here depends on condition, model or correct answer.
+/// What is said of an answer.
+struct Feedback {
+  bool right = false;
+  int answer = 0;  // that was the right one, from 1
+};
+
+/// What is to be shown. Nothing here depends on condition, model or correct answer but `feedback`, which comes once
+/// the answer is saved. Where the protocol calls for no feedback its two fields are not sent.
 struct PhaseMessage {
   std::uint32_t id = 0;      // of this showing
   std::string_view phase{};  // "welcome", "gesture", "ready", "interval", "pause", "again", "question",
-                             // "thanks", "end", "fault"
+                             // "feedback", "thanks", "end", "fault"
   int interval = 0, intervals = 2;
   int number = 0, questions = 0;  // of the question, from 1; 0 when all are answered
   int minutes = 0;                // that all questions take, about
@@ -32,6 +39,8 @@ struct PhaseMessage {
   std::array<int, 2> presses{1, 1};
   std::span<const trials::Choice> choices{};  // what can be answered; answer k is choices[k - 1]
   std::string_view hint{}, spoken_hint{};     // how to answer, to read and to hear
+  bool gives_feedback = false;                // whether this study says after each answer if it was right
+  std::optional<Feedback> feedback{};         // in the phase "feedback" alone
 };
 std::string encode(const PhaseMessage& message);
 

@@ -1,12 +1,19 @@
 // What page and server say to each other; messages.hpp is the other half.
 
 export type PhaseName =
-  | "welcome" | "gesture" | "ready" | "interval" | "pause" | "again" | "question" | "thanks" | "end" | "fault";
+  | "welcome" | "gesture" | "ready" | "interval" | "pause" | "again" | "question" | "feedback" | "thanks" | "end"
+  | "fault";
 
 /** One answer that is offered, and the keys that give it. */
 export interface Choice {
   label: string;
   keys: string[];
+}
+
+/** What is said of an answer once it is saved. */
+export interface Feedback {
+  right: boolean;
+  answer: number;  // that was the right one, from 1
 }
 
 /** The server decides what is shown; the page holds no state of the session. */
@@ -28,6 +35,8 @@ export interface Phase {
   choices: Choice[];    // what can be answered: answer k is choices[k - 1]
   hint: string;         // how to answer
   spoken_hint: string;  // the same, for a screen reader
+  gives_feedback?: boolean;  // whether this study says after each answer if it was right
+  feedback?: Feedback;       // in the phase "feedback" alone
 }
 
 export interface Probe {

@@ -17,6 +17,7 @@ using namespace std::chrono_literals;
 // moment tells nothing about what was stored.
 constexpr auto kOutcomeAfter = 250ms;
 constexpr auto kPause = std::chrono::milliseconds(static_cast<int>(1000 * trials::kPauseBetweenIntervals));
+constexpr auto kFeedback = std::chrono::milliseconds(static_cast<int>(1000 * trials::kFeedbackTime));
 constexpr int kMostEarlyKeys = 1000;  // noted in one sitting; more than that is a book on the keyboard
 
 constexpr std::string_view kPageClosed = "the page was closed or its connection was lost";
@@ -57,11 +58,12 @@ bool Sitting::complete() const {
 
 PhaseMessage Sitting::message() const {
   const trials::SessionView view = session_.view();
+  const bool on_answer = stage_ == Stage::Feedback;  // the session is at the next question already
   return {.id = id_,
           .phase = shown_name(stage_, view.phase),
           .interval = view.interval,
           .intervals = view.intervals,
-          .number = view.number,
+          .number = on_answer ? answered_.number : view.number,
           .questions = view.questions,
           .minutes = trials::minutes_of(protocol_),
           .question = view.question,
@@ -72,7 +74,9 @@ PhaseMessage Sitting::message() const {
           .presses = {protocol_.exploration.least_presses, protocol_.exploration.most_presses},
           .choices = view.choices,
           .hint = view.hint,
-          .spoken_hint = view.spoken_hint};
+          .spoken_hint = view.spoken_hint,
+          .gives_feedback = protocol_.feedback,
+          .feedback = on_answer ? std::optional(answered_.feedback) : std::nullopt};
 }
 
 /// In practice always, in an interval where the protocol says so.
@@ -121,6 +125,7 @@ void Sitting::page_closed() {
 
 void Sitting::interrupt(std::string_view reason) {
   next_ = Next::Nothing;
+  if (stage_ == Stage::Feedback) leave_answer();  // it is not said again
   const trials::Phase phase = session_.phase();
   if (phase == trials::Phase::Ready || phase == trials::Phase::Finished) {
     release_engine();
@@ -208,6 +213,10 @@ void Sitting::poll(Clock::time_point now) {
     const Next next = std::exchange(next_, Next::Nothing);
     if (next == Next::Outcome) show_outcome(now);
     if (next == Next::Interval) begin_interval();
+    if (next == Next::EndOfFeedback) {
+      leave_answer();
+      enter(stage_);
+    }
     return;
   }
   if (!is_pressing(stage_, session_.phase())) return;
@@ -278,10 +287,27 @@ void Sitting::answer(const Reply& reply) {
     session_.note(
         "response time replaced",
         fmt::format("the page measured {} s of {} s; the program's own is stored", measured, waited));
+  const int right = session_.trial().correct_answer;
+  const Answered answered{.number = session_.view().number,
+                          .feedback = {.right = reply.choice == right, .answer = right}};
   session_.answer(reply.choice, plausible ? measured : waited, onset_utc_);
   tell_progress();
+  if (protocol_.feedback) return give_feedback(answered);
+  leave_answer();
+  enter(stage_);
+}
+
+/// As long whatever was answered. What comes next is prepared afterwards: how long that takes hangs on the model.
+void Sitting::give_feedback(const Answered& answered) {
+  answered_ = answered;
+  enter(Stage::Feedback);
+  schedule(Next::EndOfFeedback, shown_ + kFeedback);
+}
+
+/// To what follows an answer, without showing it yet.
+void Sitting::leave_answer() {
   if (!complete()) notice_ = "Your answer is saved.";
-  enter(complete() ? Stage::Thanks : Stage::Trial);
+  stage_ = complete() ? Stage::Thanks : Stage::Trial;
 }
 
 void Sitting::note_early_key(const Reply& reply) {

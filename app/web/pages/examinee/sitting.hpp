@@ -55,7 +55,11 @@ class Sitting {
   bool complete() const;  // every question is answered
 
  private:
-  enum class Next { Nothing, Outcome, Interval };  // what is due by the clock
+  enum class Next { Nothing, Outcome, Interval, EndOfFeedback };  // what is due by the clock
+  struct Answered {                                               // the question that feedback is on
+    int number = 0;
+    Feedback feedback{};
+  };
 
   void enter(Stage stage);
   void show();
@@ -76,6 +80,8 @@ class Sitting {
   void receive(const Reply& reply);
   void go_on();
   void answer(const Reply& reply);
+  void give_feedback(const Answered& answered);
+  void leave_answer();
   void note_early_key(const Reply& reply);
   void tell_progress();
 
@@ -93,6 +99,7 @@ class Sitting {
   std::unique_ptr<IntervalEngine> engine_;  // of the interval that comes or runs, or of the last one
   bool connected_ = false;
   std::string notice_;
+  Answered answered_{};        // in Stage::Feedback
   std::string onset_utc_;      // of the interval or the question
   Clock::time_point shown_{};  // of this showing
   Next next_ = Next::Nothing;

@@ -7,10 +7,11 @@ namespace {
 
 using trials::Phase;
 
-constexpr base::EnumWords<Stage, 7> kNames{{{Stage::Welcome, "welcome"},
+constexpr base::EnumWords<Stage, 8> kNames{{{Stage::Welcome, "welcome"},
                                             {Stage::Gesture, "gesture"},
                                             {Stage::Trial, "trial"},
                                             {Stage::Again, "again"},
+                                            {Stage::Feedback, "feedback"},
                                             {Stage::Thanks, "thanks"},
                                             {Stage::End, "end"},
                                             {Stage::Fault, "fault"}}};
@@ -48,6 +49,7 @@ Onward onward_from(Stage stage, Phase phase) {
       return Onward::IntoInterval;
     case Stage::Trial:
       return phase == Phase::Ready ? Onward::IntoInterval : Onward::Nowhere;
+    case Stage::Feedback:
     case Stage::Thanks:
     case Stage::End:
       return Onward::Nowhere;

@@ -11,10 +11,12 @@ namespace palpate::app {
 ///
 ///     Welcome -> Gesture -> Trial -> ... -> Trial -> Thanks -> End
 ///                             ^  \-> Again (an interval that was not explored enough) -> Trial
+///                             |  \-> Feedback (an answer is saved, and the protocol says so) -> Trial, Thanks
 ///                             \----- Fault (the input was no number)
 ///
-/// Within Trial the session's phase says what is shown: ready, interval, pause, question.
-enum class Stage { Welcome, Gesture, Trial, Again, Thanks, End, Fault };
+/// Within Trial the session's phase says what is shown: ready, interval, pause, question. Feedback ends by the
+/// clock.
+enum class Stage { Welcome, Gesture, Trial, Again, Feedback, Thanks, End, Fault };
 
 /// The name that the page knows it by: "welcome", "interval", ...
 std::string_view shown_name(Stage stage, trials::Phase phase);

@@ -1,6 +1,6 @@
 // What each phase says. Plain words: an examinee reads them for the first time.
 
-import { Phase } from "./messages";
+import { Feedback, Phase } from "./messages";
 
 export interface Action {
   label: string;
@@ -75,6 +75,9 @@ function welcome(phase: Phase): View {
         : `Then you press on a tissue in ${counts[phase.intervals] ?? phase.intervals} turns, one after the other. ` +
           "A turn is a short time in which you may press.",
       `After that you answer one question: “${phase.question}” If you are not sure, go with your impression.`,
+      ...(phase.gives_feedback
+        ? ["Each time you are told whether you were right. That helps you find out what to go by."]
+        : []),
     ],
     stage: false,
     spoken: "Welcome.",
@@ -155,6 +158,20 @@ function question(phase: Phase): View {
   };
 }
 
+/** Which answer was the right one: "It was the second turn." */
+function rightAnswer(phase: Phase, given: Feedback): string {
+  if (phase.choices.length !== phase.intervals) return `The answer was “${phase.choices[given.answer - 1]?.label ?? ""}”.`;
+  const aside = asInterval(phase, given.answer);
+  return `It was the ${turn(given.answer)}${aside ? ` (${aside})` : ""}.`;
+}
+
+function feedback(phase: Phase): View {
+  const given = phase.feedback ?? { right: false, answer: 0 };
+  const title = given.right ? "That was right." : "That was not right.";
+  const answer = rightAnswer(phase, given);
+  return { title, paragraphs: [answer], stage: false, spoken: `${title} ${answer}`, actions: [] };
+}
+
 function thanks(): View {
   return {
     title: "Thank you",
@@ -197,6 +214,7 @@ export function viewOf(phase: Phase): View {
     case "pause": return pause(phase);
     case "again": return again(phase);
     case "question": return question(phase);
+    case "feedback": return feedback(phase);
     case "thanks": return thanks();
     case "end": return end();
     case "fault": return fault();

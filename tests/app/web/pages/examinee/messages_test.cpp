@@ -83,5 +83,16 @@ TEST(PhaseMessage, SaysWhatIsToBeShownAndNothingElse) {
       R"("choices":[{"label":"The first","keys":["1","ArrowLeft"]}],"hint":"Press 1.","spoken_hint":"Press one."})");
 }
 
+// Without feedback its fields are not there at all: the test above holds every byte.
+TEST(PhaseMessage, OfAStudyWithFeedbackSaysSoAndTellsTheRightAnswerInItsPhaseAlone) {
+  const std::string plain = encode(PhaseMessage{.phase = "ready"});
+  std::string asking = encode(PhaseMessage{.phase = "ready", .gives_feedback = true});
+  EXPECT_EQ(asking, plain.substr(0, plain.size() - 1) + R"(,"gives_feedback":true})");
+  const std::string telling = encode(PhaseMessage{
+      .phase = "feedback", .gives_feedback = true, .feedback = Feedback{.right = false, .answer = 2}});
+  EXPECT_TRUE(telling.ends_with(R"(,"gives_feedback":true,"feedback":{"right":false,"answer":2}})"))
+      << telling;
+}
+
 }  // namespace
 }  // namespace palpate::app

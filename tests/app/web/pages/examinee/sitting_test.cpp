@@ -22,17 +22,17 @@ using nlohmann::json;
 /// A session on a study file of its own, led without a browser: the test is the page.
 class SittingTest : public testing::Test {
  protected:
-  SittingTest() {
+  explicit SittingTest(const std::string& protocol = "short.toml") {
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
-    protocol_ = trials::load_protocol(palpate::test::source_folder() + "/tests/browser/short.toml");
+    protocol_ = trials::load_protocol(palpate::test::source_folder() + "/tests/browser/" + protocol);
     study_.emplace(trials::open_study(folder_ / "study.db", protocol_, "test"));
     session_.emplace(trials::start_session(*study_, protocol_, facts()));
     sim::ComplianceCache cache("");
     organs_.stimuli = trials::compile_stimuli(protocol_, cache);
     organs_.practice = test::palpation("kuroda", "1.0 MPa");
     sitting_.emplace(*session_, protocol_, organs_, loop_, nullptr,
-                     Outlets{.text = [this](std::string text) { shown_ = json::parse(text); },
+                     Outlets{.text = [this](std::string text) { hear(json::parse(text)); },
                              .binary = [this](std::string) { ++binaries_; },
                              .technician = [this](const std::string& line) { said_ += line + "\n"; },
                              .finished = [this] { finished_ = true; }});
@@ -48,6 +48,22 @@ class SittingTest : public testing::Test {
   }
 
   std::string phase() const { return shown_.at("phase"); }
+
+  void hear(json message) {
+    shown_ = std::move(message);
+    heard_.push_back({.message = shown_});
+    if (phase() == "feedback")
+      heard_.back().answers_on_disk = trials::read_study(folder_ / "study.db").answers(1).size();
+  }
+
+  /// Ready -> Question.
+  void feel_both() {
+    explore();
+    wait_for("pause");
+    wait_for("interval");
+    explore();
+    wait_for("question");
+  }
 
   void reply(const std::string& type, json more = json::object()) {
     more["type"] = type;
@@ -104,7 +120,13 @@ class SittingTest : public testing::Test {
   Organs organs_;
   HapticLoop loop_{devices::open("mouse")};
   std::optional<Sitting> sitting_;
+  struct Heard {
+    json message{};
+    std::size_t answers_on_disk = 0;  // when feedback was sent, as another reader of the file finds them
+  };
+
   json shown_;
+  std::vector<Heard> heard_;
   std::string said_;
   int binaries_ = 0;
   bool finished_ = false;
@@ -197,6 +219,65 @@ TEST_F(SittingTest, AnIntervalUnderWayWhenThePageClosesIsStoredAsCutOff) {
   sitting_->page_opened();
   EXPECT_EQ(phase(), "ready");
   EXPECT_NE(shown_.at("notice").get<std::string>().find("interruption"), std::string::npos);
+}
+
+class SittingWithFeedback : public SittingTest {
+ protected:
+  SittingWithFeedback() : SittingTest("feedback.toml") {}
+
+  /// Answers the question that is open, and waits until it has been said whether that was right.
+  /// @return  for how long that was said
+  std::chrono::duration<double> answer(int choice) {
+    reply("answer", {{"choice", choice}, {"ms", 1.0}});
+    const auto since = Sitting::Clock::now();
+    EXPECT_EQ(phase(), "feedback");
+    while (phase() == "feedback") hold(-2, 5ms);
+    return Sitting::Clock::now() - since;
+  }
+};
+
+TEST_F(SittingWithFeedback, SaysWhetherAnAnswerWasRightOnceItIsOnTheDisk) {
+  go_to_interval();
+  for (int question = 1; question <= 2; ++question) {
+    feel_both();
+    const int right = session_->trial().correct_answer;
+    const int choice = question == 1 ? right : 3 - right;  // the first time right, then wrong
+    const auto lasted = answer(choice);
+    const Heard& told = *(heard_.rbegin() + 1);
+    EXPECT_EQ(told.message.at("feedback"), (json{{"right", question == 1}, {"answer", right}}));
+    EXPECT_EQ(told.answers_on_disk, static_cast<std::size_t>(question));
+    EXPECT_EQ(told.message.at("number"), question);  // not the one that comes
+    EXPECT_EQ(told.message.at("notice"), "");
+    EXPECT_NEAR(lasted.count(), trials::kFeedbackTime, 0.5);
+    EXPECT_EQ(phase(), question == 1 ? "ready" : "thanks");
+    if (question == 2) break;
+    EXPECT_EQ(shown_.at("notice"), "Your answer is saved.");
+    reply("continue");
+    sitting_->poll(Sitting::Clock::now());
+  }
+  for (const Heard& heard : heard_) {
+    EXPECT_EQ(heard.message.contains("feedback"), heard.message.at("phase") == "feedback") << heard.message;
+    EXPECT_TRUE(heard.message.at("gives_feedback"));
+  }
+}
+
+TEST_F(SittingWithFeedback, IsNotEndedByAKeyAndNotSaidAgainToAPageThatComesBack) {
+  go_to_interval();
+  feel_both();
+  reply("answer", {{"choice", 1}, {"ms", 1.0}});
+  ASSERT_EQ(phase(), "feedback");
+  reply("continue");
+  reply("answer", {{"choice", 2}, {"ms", 1.0}});
+  reply("early", {{"key", "1"}});
+  EXPECT_EQ(phase(), "feedback");
+  EXPECT_EQ(study_->answers(1).size(), 1U);
+  sitting_->page_closed();
+  sitting_->page_opened();
+  EXPECT_EQ(phase(), "ready");
+  EXPECT_FALSE(shown_.contains("feedback"));
+  EXPECT_EQ(shown_.at("notice"), "Your answer is saved.");
+  hold(-2, 100ms);
+  EXPECT_EQ(phase(), "ready");
 }
 
 }  // namespace

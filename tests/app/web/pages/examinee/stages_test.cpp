@@ -9,8 +9,9 @@ namespace {
 
 using trials::Phase;
 
-constexpr std::initializer_list<Stage> kStages = {Stage::Welcome, Stage::Gesture, Stage::Trial, Stage::Again,
-                                                  Stage::Thanks,  Stage::End,     Stage::Fault};
+constexpr std::initializer_list<Stage> kStages = {Stage::Welcome, Stage::Gesture,  Stage::Trial,
+                                                  Stage::Again,   Stage::Feedback, Stage::Thanks,
+                                                  Stage::End,     Stage::Fault};
 constexpr std::initializer_list<Phase> kPhases = {Phase::Ready, Phase::Interval, Phase::Pause,
                                                   Phase::Question, Phase::Finished};
 
@@ -33,6 +34,16 @@ TEST(Stages, LeadNowhereWhereSomethingElseIsAsked) {
   EXPECT_EQ(onward_from(Stage::End, Phase::Finished), Onward::Nowhere);
 }
 
+// It lasts as long whatever was answered: nothing that the examinee does ends it.
+TEST(Stages, TakeNothingDuringFeedback) {
+  for (const Phase phase : {Phase::Ready, Phase::Finished}) {
+    EXPECT_EQ(onward_from(Stage::Feedback, phase), Onward::Nowhere);
+    for (const ReplyKind kind :
+         {ReplyKind::Continue, ReplyKind::Finish, ReplyKind::Answer, ReplyKind::Early, ReplyKind::Strategy})
+      EXPECT_FALSE(takes(Stage::Feedback, phase, kind));
+  }
+}
+
 TEST(Stages, TakeAnAnswerToAQuestionOnly) {
   for (const Stage stage : kStages)
     for (const Phase phase : kPhases) {
@@ -47,6 +58,7 @@ TEST(Stages, HaveANameThatThePageKnows) {
   EXPECT_EQ(shown_name(Stage::Trial, Phase::Ready), "ready");
   EXPECT_EQ(shown_name(Stage::Trial, Phase::Question), "question");
   EXPECT_EQ(shown_name(Stage::Fault, Phase::Ready), "fault");
+  EXPECT_EQ(shown_name(Stage::Feedback, Phase::Ready), "feedback");
 }
 
 TEST(Stages, LetTheProbeMoveInPracticeAndIntervalsOnly) {
