@@ -1,6 +1,7 @@
 // The rectum of rectum.geo in layers: elements in order, so that its wall may be cut into as many layers as edges are
 // cut along it.
 Include "common.geo";
+SetFactory("Built-in");  // what is extruded shares its faces
 DefineConstant[
   inner_radius = {12, Name "radius of the lumen [mm]"},
   wall = {4, Name "thickness of the wall [mm]"},
