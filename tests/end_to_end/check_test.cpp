@@ -85,7 +85,7 @@ TEST(Check, TellsWhichLineCallsForAnEffectAndWhatItCosts) {
 }
 
 /// A shipped protocol that can be read from anywhere.
-std::string text_of(const std::string& protocol) {
+std::string shipped(const std::string& protocol) {
   return std::regex_replace(trials::test::read(source_folder() + "/protocols/" + protocol),
                             std::regex("\\.\\./data/scenes"), source_folder() + "/data/scenes");
 }
@@ -109,7 +109,7 @@ TEST(Check, TellsTheForcesOfTwoContactModels) {
 TEST(Check, WarnsOfAnAnswerThatTheForcesContradict) {
   const trials::test::TemporaryFolder folder;
   const std::string file = folder / "p.toml";
-  trials::test::write(file, std::regex_replace(text_of("feel-the-difference.toml"), std::regex("\"softest\""),
+  trials::test::write(file, std::regex_replace(shipped("feel-the-difference.toml"), std::regex("\"softest\""),
                                                "\"stiffest\""));
   const json check = printed({"check", file, "--format", "json"});
   for (const json& cell : check["stimuli"]) EXPECT_LT(cell["expected_correct"], 0.25);
@@ -123,7 +123,7 @@ TEST(Check, WarnsOfAQuestionThatAsksForTheOther) {
   const trials::test::TemporaryFolder folder;
   const std::string file = folder / "p.toml";
   trials::test::write(
-      file, std::regex_replace(text_of("kuroda2003.toml"), std::regex("feel harder"), "feel softer"));
+      file, std::regex_replace(shipped("kuroda2003.toml"), std::regex("feel harder"), "feel softer"));
   EXPECT_THAT(printed({"check", file, "--format", "json"})["warnings"].get<std::vector<std::string>>(),
               Contains(HasSubstr("seems to ask for the softest interval, and correct is \"hard\"")));
 }
