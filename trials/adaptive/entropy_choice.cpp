@@ -12,7 +12,8 @@
 namespace palpate::trials {
 namespace {
 
-// The memory: the level that comes next, what its answer is expected to leave, and how likely each combination is.
+// The memory: the level that comes next, what its answer is expected to leave, and how likely each
+// combination is.
 enum : std::size_t { kChosen, kExpectedEntropy, kPosterior };
 
 const EntropyDesign& on_grid(const AdaptiveDesign& design) {
@@ -41,7 +42,8 @@ std::vector<double> combination(const EntropyDesign& design, std::size_t number)
   return values;
 }
 
-/// A sum whose rounding does not grow with its length (Kahan's): levels far above threshold differ by 1e-14 bit.
+/// A sum whose rounding does not grow with its length (Kahan's): levels far above threshold differ by 1e-14
+/// bit.
 struct ExactSum {
   double value = 0.0, lost = 0.0;
 
@@ -52,8 +54,9 @@ struct ExactSum {
   }
 };
 
-/// What the answer at a level is expected to tell of the parameters [bit]: its entropy, less the mean of its entropies
-/// had one combination been known to hold. So much less remains unknown; the sum that remains is not needed for it.
+/// What the answer at a level is expected to tell of the parameters [bit]: its entropy, less the mean of its
+/// entropies had one combination been known to hold. So much less remains unknown; the sum that remains is
+/// not needed for it.
 double expected_gain(const EntropyDesign& design, std::span<const double> posterior, std::size_t level) {
   const std::size_t count = posterior.size();
   const double* share = design.share_correct.data() + level * count;

@@ -17,8 +17,8 @@ struct GridParameter {
   std::vector<double> prior{};  // sums to 1
 };
 
-/// Levels and parameters on grids. The next level is the one after whose answer the parameters are expected to be
-/// least uncertain: what psi [KontsevichTyler1999] and QUEST+ [Watson2017] share.
+/// Levels and parameters on grids. The next level is the one after whose answer the parameters are expected
+/// to be least uncertain: what psi [KontsevichTyler1999] and QUEST+ [Watson2017] share.
 struct EntropyDesign : AdaptiveDesign {
   std::vector<double> levels{};             // rising
   std::vector<GridParameter> parameters{};  // a combination has one value of each; the last runs fastest
@@ -30,8 +30,9 @@ struct EntropyDesign : AdaptiveDesign {
 /// The most pairs of a level and a combination. The time of a choice is in proportion to it.
 inline constexpr std::size_t kMostPairs = 2'000'000;
 
-/// Levels whose expected entropies differ by less count as alike, and the lowest of them is taken: some units in the
-/// last place of the answer's entropy. Watson's second example tells levels apart that differ by 1e-14 [bit].
+/// Levels whose expected entropies differ by less count as alike, and the lowest of them is taken: some units
+/// in the last place of the answer's entropy. Watson's second example tells levels apart that differ by 1e-14
+/// [bit].
 inline constexpr double kSameEntropy = 1e-15;
 
 /// Of a combination's values, in the order of the parameters: the share correct at a level.

@@ -38,8 +38,9 @@ inline constexpr base::Takes kLevels =
     base::takes_other("an array of numbers, or of quantities with their units such as \"2.0 MPa\"");
 inline constexpr base::Takes kNumbers = base::takes_other("a number or an array of numbers");
 
-/// Reads a [procedure] table whose levels are plain numbers or quantities of one kind, as the level of the scene
-/// that they vary. Levels are held in the unit of the first one that is read; others are converted to it.
+/// Reads a [procedure] table whose levels are plain numbers or quantities of one kind, as the level of the
+/// scene that they vary. Levels are held in the unit of the first one that is read; others are converted to
+/// it.
 class LevelReader {
  public:
   LevelReader(base::TomlReader& table, LevelScale& scale) : table_(table), scale_(scale) {}

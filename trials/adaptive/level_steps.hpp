@@ -55,7 +55,8 @@ std::vector<double> read_steps(LevelReader& procedure, std::string_view key, Ste
 
 /// What a key of one step size takes.
 inline constexpr base::Takes kStepSize = base::takes_other(
-    "a number, or a quantity with its unit such as \"0.5 MPa\" where steps are linear and levels are quantities");
+    "a number, or a quantity with its unit such as \"0.5 MPa\" where steps are linear and levels are "
+    "quantities");
 /// One such step.
 double read_step(LevelReader& procedure, std::string_view key, StepType type);
 
@@ -70,8 +71,8 @@ enum StepMemory : std::size_t {
   kStepMemorySize
 };  // direction: 0 at first, then -1 or 1
 
-/// Notes the direction (-1 or 1) of the step after an answer, and a reversal at the level that was shown where it
-/// is another than before. Whether it was one.
+/// Notes the direction (-1 or 1) of the step after an answer, and a reversal at the level that was shown
+/// where it is another than before. Whether it was one.
 bool turn(AdaptiveRun& run, const AdaptiveAnswer& answer, double direction);
 
 /// Arithmetic for linear steps, geometric for the others: the mean on the scale on which steps are alike.

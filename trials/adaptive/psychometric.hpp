@@ -17,8 +17,8 @@ struct PsychometricParameters {
   double guess = 0.0, lapse = 0.0;  // shares, together < 1
 };
 
-/// psi(x) = guess + (1 - guess - lapse) F(x), with F(x) = 1 - exp(-10^(b (x - t) / 20)) [Watson2017, eq. for x and t
-/// in dB], Phi(b (x - t)), or 1 / (1 + exp(-b (x - t))).
+/// psi(x) = guess + (1 - guess - lapse) F(x), with F(x) = 1 - exp(-10^(b (x - t) / 20)) [Watson2017],
+/// x and t in dB, Phi(b (x - t)), or 1 / (1 + exp(-b (x - t))).
 double share_correct(PsychometricFunction function, double level, const PsychometricParameters& parameters);
 
 /// The uncertainty of a yes or no [bit]: -p log2 p - (1 - p) log2 (1 - p).

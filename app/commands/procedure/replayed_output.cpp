@@ -7,7 +7,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json number_or_null(const std::optional<double>& value) {
+ordered_json value_or_null(const std::optional<double>& value) {
   return value ? ordered_json(*value) : ordered_json();
 }
 
@@ -25,7 +25,7 @@ ordered_json trial_as_json(std::size_t number, const ReplayedTrial& trial) {
   json["mean"] = each_parameter(*trial.belief, &trials::ParameterBelief::mean);
   json["mode"] = each_parameter(*trial.belief, &trials::ParameterBelief::mode);
   json["sd"] = each_parameter(*trial.belief, &trials::ParameterBelief::sd);
-  json["expected_entropy"] = number_or_null(trial.expected_entropy);
+  json["expected_entropy"] = value_or_null(trial.expected_entropy);
   json["entropy"] = trial.belief->entropy;
   return json;
 }
@@ -50,15 +50,15 @@ ordered_json run_as_json(const trials::LoadedProcedure& loaded, const ReplayedRu
                     {"level", loaded.level.empty() ? ordered_json() : ordered_json(loaded.level)},
                     {"unit", loaded.scale.unit ? ordered_json(loaded.scale.unit->name) : ordered_json()},
                     {"trials", ordered_json::array()},
-                    {"next_level", number_or_null(run.next_level)},
+                    {"next_level", value_or_null(run.next_level)},
                     {"reversals", ordered_json::array()},
-                    {"mean_of_reversals", number_or_null(run.mean_of_reversals)},
+                    {"mean_of_reversals", value_or_null(run.mean_of_reversals)},
                     {"stopped_at", run.stopped_at ? ordered_json(*run.stopped_at) : ordered_json()}};
   for (std::size_t i = 0; i < run.trials.size(); ++i)
     json["trials"].push_back(trial_as_json(i + 1, run.trials[i]));
   for (const trials::Reversal& reversal : run.reversals)
     json["reversals"].push_back({{"trial", reversal.trial}, {"level", reversal.level}});
-  if (loaded.procedure->estimate) json["estimate"] = number_or_null(run.estimate);
+  if (loaded.procedure->estimate) json["estimate"] = value_or_null(run.estimate);
   return json;
 }
 

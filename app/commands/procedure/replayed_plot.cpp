@@ -9,7 +9,7 @@
 namespace palpate::app {
 namespace {
 
-PlotSeries levels_of(const ReplayedRun& run) {
+PlotSeries levels_over_trials(const ReplayedRun& run) {
   PlotSeries series{.name = "level"};
   for (const ReplayedTrial& trial : run.trials) {
     series.x.push_back(static_cast<double>(series.x.size() + 1));
@@ -45,7 +45,7 @@ PlotSeries threshold_of(const ReplayedRun& run) {
 
 Plot run_plot(const trials::LoadedProcedure& loaded, const ReplayedRun& run) {
   if (run.trials.empty()) throw std::invalid_argument("--plot: no trials to draw; accepted: with --answers");
-  PlotPanel panel{.series = {levels_of(run)}};
+  PlotPanel panel{.series = {levels_over_trials(run)}};
   if (run.trials.front().belief) panel.series.push_back(threshold_of(run));
   if (std::ranges::any_of(run.trials, [](const ReplayedTrial& trial) { return !trial.correct; }))
     panel.series.push_back(

@@ -1,4 +1,5 @@
-// docs/procedures.md names every adaptive procedure and each of its keys, with what stands where a key is left out.
+// docs/procedures.md names every adaptive procedure and each of its keys, with what stands where a key is
+// left out.
 #include <gtest/gtest.h>
 
 #include "base/files/read_file.hpp"

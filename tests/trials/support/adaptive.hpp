@@ -27,7 +27,8 @@ inline PlayedRun play(const LoadedProcedure& loaded, std::string_view answers) {
   return played;
 }
 
-/// Lets someone answer, who is right with a probability that follows from the level, up to the end or so many trials.
+/// Lets someone answer, who is right with a probability that follows from the level, up to the end or so many
+/// trials.
 /// @param is_correct  (level) -> the answer
 inline PlayedRun play_observer(const LoadedProcedure& loaded, int trials,
                                const std::function<bool(double)>& is_correct) {

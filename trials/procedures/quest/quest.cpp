@@ -94,7 +94,7 @@ double share_above_threshold(const Design& design, double distance) {
   return share_at(design, distance + design.offset);
 }
 
-/// The quantile whose expected loss of entropy is the same to both sides, as Psychtoolbox's QuestCreate has it.
+/// The quantile that Psychtoolbox's QuestCreate asks (Pelli 1987): it follows from the ends of the function.
 /// @param low, high  the share correct far below and far above threshold
 double telling_quantile(double low, double high) {
   const auto bits = [](double p) { return p > 0.0 ? p * std::log(p) : 0.0; };
@@ -220,7 +220,8 @@ void tell(const AdaptiveDesign& all, AdaptiveRun& run, const AdaptiveAnswer& ans
     sum += run.memory[i] *= answer.correct ? shares[i] : 1.0 - shares[i];
   if (!(sum > 0.0))
     throw std::invalid_argument(fmt::format(
-        "answer {}: {} at {:g} has no chance with any threshold of the grid; accepted: a delta above 0, or a wider range",
+        "answer {}: {} at {:g} has no chance with any threshold of the grid; accepted: a delta above 0, or a "
+        "wider range",
         run.told + 1, answer.correct ? "correct" : "wrong", answer.level));
   for (double& share : run.memory) share /= sum;
 }

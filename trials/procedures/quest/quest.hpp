@@ -4,8 +4,8 @@
 
 namespace palpate::trials {
 
-/// QUEST [WatsonPelli1983]: one threshold on a fine grid, normal beforehand, a Weibull function of known slope; the
-/// next level is the mean, the mode or a quantile of what is known.
+/// QUEST [WatsonPelli1983]: one threshold on a fine grid, normal beforehand, a Weibull function of known
+/// slope; the next level is the mean, the mode or a quantile of what is known.
 extern const AdaptiveProcedure kQuest;
 
 }  // namespace palpate::trials

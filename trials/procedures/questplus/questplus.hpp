@@ -4,8 +4,8 @@
 
 namespace palpate::trials {
 
-/// QUEST+ [Watson2017]: threshold, slope, guess and lapse rate on grids, and always the level after whose answer they
-/// are expected to be least uncertain.
+/// QUEST+ [Watson2017]: threshold, slope, guess and lapse rate on grids, and always the level after whose
+/// answer they are expected to be least uncertain.
 extern const AdaptiveProcedure kQuestPlus;
 
 }  // namespace palpate::trials
