@@ -42,6 +42,7 @@ set(PALPATE_LISTS
   analysis/statistics/statistics.cpp
   tasks/tasks.cpp
   trials/procedures/procedures.cpp
+  trials/procedures/adaptive_procedures.cpp
   devices/devices.cpp
   app/commands/commands.cpp)
 

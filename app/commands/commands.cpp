@@ -11,6 +11,7 @@
 #include "app/commands/new_study/new_study.hpp"
 #include "app/commands/plan/plan.hpp"
 #include "app/commands/press/press.hpp"
+#include "app/commands/procedure/procedure.hpp"
 #include "app/commands/render/render.hpp"
 #include "app/commands/report/report.hpp"
 #include "app/commands/run/run.hpp"
@@ -22,21 +23,22 @@ namespace palpate::app {
 
 std::span<const Command* const> commands() {
   static constexpr std::array all{
-      &demo_command,      //
-      &new_command,       //
-      &press_command,     //
-      &render_command,    //
-      &cost_command,      //
-      &mesh_command,      //
-      &check_command,     //
-      &plan_command,      //
-      &run_command,       //
-      &simulate_command,  //
-      &report_command,    //
-      &export_command,    //
-      &verify_command,    //
-      &merge_command,     //
-      &stats_command,     //
+      &demo_command,       //
+      &new_command,        //
+      &press_command,      //
+      &render_command,     //
+      &cost_command,       //
+      &mesh_command,       //
+      &check_command,      //
+      &plan_command,       //
+      &procedure_command,  //
+      &run_command,        //
+      &simulate_command,   //
+      &report_command,     //
+      &export_command,     //
+      &verify_command,     //
+      &merge_command,      //
+      &stats_command,      //
   };
   return all;
 }
