@@ -121,9 +121,6 @@ Costs measure(const CostOptions& options) {
 
 void print(const CostOptions& options, const Costs& costs) {
   if (options.format == "csv") {
-    if (!costs.sweep)
-      throw std::invalid_argument(
-          "--format csv: is for the variants of one scene; accepted: one scene without --times-only");
     fmt::print("{}", sweep_csv(*costs.sweep, base::describe_machine(), versions()));
     return;
   }
@@ -162,6 +159,9 @@ void draw(const CostOptions& options, const Costs& costs) {
 
 void run_cost(const CostOptions& options) {
   if (!options.plot.empty()) check_plot_file(options.plot);
+  if (options.format == "csv" && (options.scenes.size() > 1 || options.times_only))
+    throw std::invalid_argument(
+        "--format csv: is for the variants of one scene; accepted: one scene without --times-only");
   const Costs costs = measure(options);
   print(options, costs);
   if (!options.plot.empty()) draw(options, costs);
