@@ -109,7 +109,8 @@ TEST_P(EveryMesh, HasItsGroupsAndTheyDoNotMeet) {
   EXPECT_THAT(mesh.region_names, testing::ElementsAre(stem.substr(0, stem.find('-'))));
   EXPECT_THAT(mesh.region, testing::Each(0));
   for (const auto& [name, nodes] : mesh.node_groups) EXPECT_FALSE(nodes.empty()) << name;
-  if (mesh.node_groups.contains("cap")) return;  // a hand holds it, and its scene says by a box what may touch
+  if (mesh.node_groups.contains("cap"))
+    return;  // a hand holds it, and its scene says by a box what may touch
   ASSERT_TRUE(mesh.node_groups.contains("fixed"));
   ASSERT_TRUE(mesh.node_groups.contains("contact"));
   const auto& fixed = mesh.node_groups.at("fixed");
