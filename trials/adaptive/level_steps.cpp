@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace palpate::trials {
 namespace {
@@ -27,8 +28,8 @@ double off_scale(StepType type, double value) {
 LevelSteps read_level_steps(LevelReader& procedure) {
   LevelSteps steps{.start = procedure.level("start"),
                    .type = procedure.table().word("step_type", kStepTypeWords),
-                   .min = -INFINITY,
-                   .max = INFINITY};
+                   .min = -std::numeric_limits<double>::infinity(),
+                   .max = std::numeric_limits<double>::infinity()};
   if (procedure.has("min")) steps.min = procedure.level("min");
   if (procedure.has("max")) steps.max = procedure.level("max");
   if (steps.min >= steps.max)
@@ -52,7 +53,7 @@ LevelSteps read_level_steps(LevelReader& procedure) {
 }
 
 std::vector<double> read_steps(LevelReader& procedure, std::string_view key, StepType type) {
-  const std::vector<double> steps = type == StepType::Linear ? procedure.levels(key) : procedure.numbers(key);
+  std::vector<double> steps = type == StepType::Linear ? procedure.levels(key) : procedure.numbers(key);
   for (const double step : steps)
     if (step <= 0.0)
       procedure.refuse(key,

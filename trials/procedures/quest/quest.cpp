@@ -131,7 +131,8 @@ void make_grid(LevelReader& procedure, Design& design, double range) {
   if (2.0 * half + 1.0 > kMostGrid)
     procedure.refuse("grain", fmt::format("a grid of {:.0f} thresholds, accepted: up to {:.0f}",
                                           2.0 * half + 1.0, kMostGrid));
-  for (double step = -half; step <= half; ++step) design.grid.push_back(step * design.grain);
+  const auto most = static_cast<int>(half);
+  for (int step = -most; step <= most; ++step) design.grid.push_back(step * design.grain);
   for (const double x : design.grid)
     design.prior.push_back(std::exp(-0.5 * (x / design.guess_sd) * (x / design.guess_sd)));
   const double sum = std::accumulate(design.prior.begin(), design.prior.end(), 0.0);
