@@ -96,14 +96,15 @@ class Measuring {
   }
 
  private:
-  Condensed& condense(std::pair<int, int> mesh_and_interior) {
-    const auto [found, fresh] = condensed_.try_emplace(mesh_and_interior);
+  Condensed& condense(const std::pair<int, int>& mesh_and_interior) {
+    const bool fresh = !condensed_.contains(mesh_and_interior);
+    Condensed& condensed = condensed_[mesh_and_interior];
     if (fresh)
-      found->second.taken = taken_by([&] {
-        const auto [mesh, interior] = mesh_and_interior;
-        sim::compile(sim::with_variant(scene_, sim::exact_on(scene_, mesh, interior)), found->second.cache);
+      condensed.taken = taken_by([&] {
+        const sim::Variant exact = sim::exact_on(scene_, mesh_and_interior.first, mesh_and_interior.second);
+        sim::compile(sim::with_variant(scene_, exact), condensed.cache);
       });
-    return found->second;
+    return condensed;
   }
 
   const sim::Scene& scene_;
